@@ -1,9 +1,18 @@
 #include "parallel.hpp"
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <thread>
+#include <utility>
 
 #if !defined(SIGNUM_WITHOUT_TBB)
 #include <oneapi/tbb/blocked_range.h>
@@ -110,12 +119,63 @@ class Order {
 
 }  // namespace
 
+namespace {
+
+/// How many threads, up to so many, can be there at a time. oneTBB ends the program where one of
+/// its own does not start: so threads are tried that claim memory and do nothing, and then as many
+/// of oneTBB's are waited for. These stay.
+int startable(int count) {
+    static std::mutex one_at_a_time;
+    static int started = 1;  // of oneTBB's, the calling thread among them
+    const std::scoped_lock lock(one_at_a_time);
+    if (count <= started) return count;
+    // Not taken away at the end: threads would go with the last arena.
+    static tbb::task_arena* keeps_threads = nullptr;
+    if (keeps_threads == nullptr) (keeps_threads = new tbb::task_arena(2))->initialize();
+
+    std::vector<std::thread> tried;
+    std::atomic<bool> is_over = false;
+    try {
+        while (started + std::ssize(tried) < count)
+            tried.emplace_back([&] {
+                // The first of a thread, for which the C library reserves it a range of addresses.
+                std::free(std::malloc(1024));
+                is_over.wait(false);
+            });
+    } catch (const std::system_error&) {
+        // As many as there are.
+    }
+    const int most = started + static_cast<int>(tried.size());
+    is_over = true;
+    is_over.notify_all();
+    for (std::thread& thread : tried) thread.join();
+
+    // One limit for all, for of several the least would hold.
+    static tbb::global_control* limit = nullptr;
+    if (most > tbb::info::default_concurrency()) {
+        delete std::exchange(limit, nullptr);
+        limit = new tbb::global_control(tbb::global_control::max_allowed_parallelism,
+                                        static_cast<std::size_t>(most));
+    }
+    std::atomic<int> arrived = 0;
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
+    tbb::task_arena(most).execute([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<int>(0, most, 1),
+            [&](const tbb::blocked_range<int>&) {
+                ++arrived;
+                while (arrived < most && std::chrono::steady_clock::now() < deadline)
+                    std::this_thread::yield();
+            },
+            tbb::simple_partitioner{});
+    });
+    return started = most;
+}
+
+}  // namespace
+
 struct Workers::Threads {
-    explicit Threads(int count)
-        : allowed(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(std::max(count, tbb::info::default_concurrency()))),
-          arena(count) {}
-    tbb::global_control allowed;  // more than cores, where so many are asked for
+    explicit Threads(int count) : arena(count) {}
     tbb::task_arena arena;
 };
 
@@ -146,6 +206,12 @@ struct Workers::Threads {
     explicit Threads(int /*count*/) {}
 };
 
+namespace {
+int startable(int /*count*/) noexcept {
+    return 1;
+}
+}  // namespace
+
 void Workers::each(std::size_t tasks, const std::function<void(std::size_t)>& task) const {
     for (std::size_t i = 0; i < tasks; ++i) task(i);
 }
@@ -156,6 +222,11 @@ Workers::Workers(int threads, std::size_t items)
     : count_(items < few_items ? 1
              : threads > 0     ? threads
                                : usable_cores()) {
+    if (threads < 0 || threads > most_threads)
+        throw std::invalid_argument(std::to_string(threads) + " threads; 0 to " +
+                                    std::to_string(most_threads) +
+                                    " are possible, 0 for as many as there are cores to use");
+    if (count_ > 1) count_ = startable(count_);
     if (count_ > 1) threads_ = std::make_unique<Threads>(count_);
 }
 

@@ -21,10 +21,13 @@ namespace signum {
 /// Below so many items, sites most often, one thread works: it is done before others have begun.
 inline constexpr std::size_t few_items = 16384;
 
+inline constexpr int most_threads = 1024;
+
 /// Threads that share work, the calling one among them.
 class Workers {
  public:
-    /// As many as asked for, 0 being usable_cores(); one where there are few items.
+    /// As many as asked for, 0 being usable_cores(), or as can be started; one where there are few
+    /// items. Throws std::invalid_argument for fewer than 0 or more than most_threads.
     explicit Workers(int threads, std::size_t items = few_items);
     ~Workers();
     Workers(const Workers&) = delete;

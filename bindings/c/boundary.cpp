@@ -2,13 +2,14 @@
 
 #include <limits>
 
+#include "../../core/parallel.hpp"
+
 namespace signum::c {
 
 static_assert(sizeof(signum_error) == 256 && sizeof(signum_validation) == 256);
 
 Asked asked(const signum_options* given) {
     const signum_options options = read(given, signum_options SIGNUM_OPTIONS, "options");
-    constexpr std::int32_t most_threads = 1024;
     if (options.threads < 0 || options.threads > most_threads)
         throw Refused("there are no " + std::to_string(options.threads) +
                       " threads to be had: 0 to " + std::to_string(most_threads));

@@ -7,6 +7,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include "../../core/parallel.hpp"
 #include "../../triangulation/options.hpp"
 
 namespace signum::python {
@@ -35,10 +36,9 @@ template <class Enumerators>
 }
 /// How many threads work. Throws ValueError for what is no such number.
 [[nodiscard]] inline int threads_of(int threads) {
-    constexpr int most = 1024;
-    if (threads >= 0 && threads <= most) return threads;
+    if (threads >= 0 && threads <= most_threads) return threads;
     throw py::value_error("threads: " + std::to_string(threads) + " is not from 0 to " +
-                          std::to_string(most));
+                          std::to_string(most_threads));
 }
 [[nodiscard]] inline py::str text(std::string_view name) {
     return py::str(name.data(), name.size());

@@ -16,6 +16,14 @@ using filters::Verdict;
 struct InIntegers {
     static constexpr Stage stage = Stage::exact;
 
+    template <class Square>
+    [[nodiscard]] static auto determinant(const exact::IntegerRows<2>& rows) noexcept {
+        const auto row = [&](std::size_t m) -> Row<exact::Word<Square>, Square> {
+            return {{rows[m].offset[0]}, {rows[m].offset[1]}, Square{rows[m].weight}};
+        };
+        return in_circle_determinant(row(0), row(1), row(2));
+    }
+
     template <PowerSite S>
     [[nodiscard]] static Verdict ask(const S& i, const S& j, const S& k, const S& q) noexcept {
         exact::IntegerRows<2> rows({&i, &j, &k}, q);
@@ -24,15 +32,6 @@ struct InIntegers {
             return Verdict::certain(determinant<exact::Factor>(rows).sign());
         const exact::Integer128 narrow = determinant<exact::Integer128>(rows);
         return Verdict::certain((narrow > 0) - (narrow < 0));
-    }
-
- private:
-    template <class Square>
-    [[nodiscard]] static auto determinant(const exact::IntegerRows<2>& rows) noexcept {
-        const auto row = [&](std::size_t m) -> Row<exact::Word<Square>, Square> {
-            return {{rows[m].offset[0]}, {rows[m].offset[1]}, Square{rows[m].weight}};
-        };
-        return in_circle_determinant(row(0), row(1), row(2));
     }
 };
 

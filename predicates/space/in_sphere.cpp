@@ -47,6 +47,15 @@ static_assert(refined_in_sphere_error >= 2 * 12 * filters::double_double_epsilon
 /// below 2^308. Divided by 2^40 all is below 2^108: such integers are faster than double-doubles,
 /// and these than wide ones.
 struct Within {
+    template <class Offset, class Weight>
+    [[nodiscard]] static auto determinant(const exact::IntegerRows<3>& rows) noexcept {
+        const auto row = [&](std::size_t m) -> LiftedRow<Offset, Weight> {
+            const auto& [x, y, z] = rows[m].offset;
+            return {{Offset{x}, Offset{y}, Offset{z}}, Weight{rows[m].weight}};
+        };
+        return in_sphere_determinant(row(0), row(1), row(2), row(3));
+    }
+
     template <PowerSite3 S>
     [[nodiscard, gnu::always_inline]] static inline Decision climb(const S& i, const S& j,
                                                                    const S& k, const S& l,
@@ -76,16 +85,6 @@ struct Within {
         if (rows.are_exact())
             return {Integer(determinant<Integer, Integer>(rows)).sign(), Stage::exact};
         return ladder::Steps<ladder::InExactNumbers<InSphere>>::climb(i, j, k, l, q);
-    }
-
- private:
-    template <class Offset, class Weight>
-    [[nodiscard]] static auto determinant(const exact::IntegerRows<3>& rows) noexcept {
-        const auto row = [&](std::size_t m) -> LiftedRow<Offset, Weight> {
-            const auto& [x, y, z] = rows[m].offset;
-            return {{Offset{x}, Offset{y}, Offset{z}}, Weight{rows[m].weight}};
-        };
-        return in_sphere_determinant(row(0), row(1), row(2), row(3));
     }
 };
 

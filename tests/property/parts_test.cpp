@@ -108,7 +108,7 @@ TEST_P(Parts, OfDistributions) {
 
 /// Huge and tiny: beyond the filters' windows, and beyond a double's range in between.
 TEST_P(Parts, OfAnyMagnitude) {
-    for (const int exponent : {-1060, -530, -300, 300, 500, 1012}) {
+    for (int exponent = -1060; exponent <= 1012; exponent += exponent == -1060 ? 40 : 37) {
         Random random(5);
         std::vector<Site> sites;
         for (int i = 0; i < 400; ++i)
@@ -118,6 +118,24 @@ TEST_P(Parts, OfAnyMagnitude) {
         expect_the_same(sites, GetParam(), 2, "2^" + std::to_string(exponent));
         if (HasFatalFailure()) return;
     }
+}
+
+/// Ordinary sites, and as many in a crowd around one of them that is that much smaller: offsets
+/// there are far below what a coordinate elsewhere is rounded to, and their products underflow.
+TEST_P(Parts, OfACrowdOfAnyMagnitude) {
+    for (int exponent = -1060; exponent < 0; exponent += 53)
+        for (const double radius : {0.0, 1.0}) {
+            Random random(6);
+            std::vector<Site> sites;
+            for (int i = 0; i < 400; ++i) {
+                const int scale = i % 2 == 0 ? exponent : -5;
+                sites.push_back({std::ldexp(random.between(-1000, 1000), scale),
+                                 std::ldexp(random.between(-1000, 1000), scale),
+                                 radius * std::ldexp(random.between(0, 20), scale)});
+            }
+            expect_the_same(sites, GetParam(), 3, "2^" + std::to_string(exponent));
+            if (HasFatalFailure()) return;
+        }
 }
 
 INSTANTIATE_TEST_SUITE_P(, Parts, testing::ValuesIn(all_metrics),

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 #include <stop_token>
 #include <string>
@@ -12,8 +15,11 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "../../core/parallel.hpp"
+#include "../../triangulation/space/triangulate.hpp"
 #include "../../triangulation/triangulate.hpp"
 
 namespace signum {
@@ -25,6 +31,34 @@ TEST(Workers, AreAsManyAsAskedFor) {
     EXPECT_EQ(Workers(3).count(), 3);
     EXPECT_EQ(Workers(3, few_items - 1).count(), 1);
 }
+
+TEST(Workers, AreRefusedWhereThereCannotBeSoMany) {
+    EXPECT_THROW(Workers(-1), std::invalid_argument);
+    EXPECT_THROW(Workers(most_threads + 1), std::invalid_argument);
+    EXPECT_EQ(Workers(most_threads, 1).count(), 1);
+}
+
+#if !defined(SIGNUM_WITHOUT_TBB) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+/// Of the address space so much is left that stacks for a few threads fit, not for all.
+TEST(WorkersDeathTest, AreAsManyAsCanBeStarted) {
+    testing::GTEST_FLAG(death_test_style) = "threadsafe";
+    const auto work = [] {
+        std::size_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        const rlim_t most = pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) + (60 << 20);
+        const rlimit limit = {most, most};
+        if (::setrlimit(RLIMIT_AS, &limit) != 0) std::exit(1);
+        std::atomic<int> done = 0;
+        for (const int asked : {64, 3, 200}) {
+            const Workers workers(asked);
+            if (workers.count() < 1 || workers.count() > 40) std::exit(2);
+            workers.each(500, [&](std::size_t) { ++done; });
+        }
+        std::exit(done == 1500 ? 0 : 3);
+    };
+    EXPECT_EXIT(work(), testing::ExitedWithCode(0), "");
+}
+#endif
 
 TEST(Workers, DoEachTaskOnce) {
     for (const int threads : {1, 2, 5}) {
@@ -124,9 +158,30 @@ TEST_P(ConstructionByThreads, TellsItsCallerHowFarItIs) {
                                                                     caller);
                                                           told.push_back(share);
                                                       }}));
-    EXPECT_FALSE(told.empty());
+    ASSERT_FALSE(told.empty());
     EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-    EXPECT_LE(told.empty() ? 0.0 : told.back(), 1.0);
+    EXPECT_EQ(told.back(), 1.0);
+}
+
+/// So many that sites at cuts are cut again; and so that they are not, all being at each cut.
+TEST(SpaceByThreads, TellsItsCallerHowFarItIs) {
+    for (const bool is_sphere : {false, true}) {
+        std::vector<Point3> sites;
+        const int count = is_sphere ? 70'000 : 500'000;
+        for (const Site& site : spiral(count)) {
+            const double turn = 2.4 * static_cast<double>(sites.size());
+            const double z = std::sqrt(static_cast<double>(count)) * std::sin(turn * turn);
+            const double scale = is_sphere ? 1 / std::hypot(site.x, site.y, z + 0.5) : 1.0;
+            sites.push_back({site.x * scale, site.y * scale, z * scale});
+        }
+        double last = 0.0;
+        const Options options = {.threads = 3, .progress = [&](double share) {
+                                     EXPECT_GE(share, last);
+                                     last = share;
+                                 }};
+        static_cast<void>(triangulate(std::span<const Point3>(sites), Power{}, options));
+        EXPECT_EQ(last, 1.0);
+    }
 }
 
 TEST_P(ConstructionByThreads, StopsWhereItIsAskedTo) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "../../core/parallel.hpp"
 #include "../io/names.hpp"
 #include "../io/nearest_word.hpp"
 #include "../io/number.hpp"
@@ -96,12 +97,12 @@ Metric metric_of(const std::string& name) {
 }
 
 CLI::Option* add_threads(CLI::App& command, int& threads) {
-    return add_checked(command, "--threads", threads, "N", whole_number_to(1024),
+    return add_checked(command, "--threads", threads, "N", whole_number_to(most_threads),
                        "How many threads work; the result does not depend\non it. 0: as many as "
                        "there are cores to use")
         ->each([](const std::string& text) {
             if (const auto number = parse_whole_number(text))
-                threads_of_files = static_cast<int>(std::min<std::uint64_t>(*number, 1024));
+                threads_of_files = static_cast<int>(std::min<std::uint64_t>(*number, most_threads));
         })
         ->capture_default_str();
 }

@@ -437,7 +437,7 @@ void run(const CompareCall& call) {
             fmt::format("{} arithmetic broke the structure, so that there is "
                         "nothing to draw; nothing is written",
                         call.arithmetic));
-    outputs.write({{"svg", [&](std::ostream& picture) {
+    outputs.write({{"svg", [&, &judged = judged](std::ostream& picture) {
                         write_svg(picture, *judged,
                                   {.wrong = report.comparisons[0].wrong,
                                    .different = report.comparisons[0].different,

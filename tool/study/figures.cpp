@@ -229,7 +229,7 @@ class Drawing {
         const std::string series = text_of(spec, "series");
         if (!series.empty())
             for (const std::string& one : combinations(series, cells)) {
-                const auto& [column, value] = *wanted_by(one).begin();
+                const auto [column, value] = *wanted_by(one).begin();
                 add(spec, one, title(spec, text_of(spec, "series_title", in_braces(series)), one),
                     place(column, value));
             }

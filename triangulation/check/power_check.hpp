@@ -86,7 +86,7 @@ class PowerCheck : private ArraysCheck {
             expected.push_back({infinite, line[i], line[i - 1]});
         }
         Faces given = arrays_.faces;
-        for (Face& v : given) std::ranges::rotate(v, std::ranges::find(v, infinite));
+        for (Face& v : given) std::rotate(v.begin(), std::ranges::find(v, infinite), v.end());
         std::ranges::sort(expected);
         std::ranges::sort(given);
         if (given != expected) throw Invalid{"the sites on a line are not one chain"};

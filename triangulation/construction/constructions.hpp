@@ -146,7 +146,9 @@ struct Ordered {
 };
 
 /// Whether parts are joined, and not handed on to one thread, tried with a sample of the sites:
-/// some at random, and the greatest of each range, for it is these that reach far.
+/// some at random, and the greatest of each range, for one giant may reach all others. A quarter of
+/// the sample at the cut is too much: what one thread does alone would take as long as what others
+/// save.
 template <class Kernel, class MakeKernel, class MakeReach>
 bool parts_help(const StridedSites& input, const Options& options, const Workers& workers,
                 const MakeKernel& make_kernel, const MakeReach& make_reach) {
@@ -159,7 +161,7 @@ bool parts_help(const StridedSites& input, const Options& options, const Workers
         const std::size_t end = n * (range + 1) / ranges;
         std::size_t best = n * range / ranges;
         for (std::size_t i = best; i < end; ++i)
-            if (input[i].r > input[best].r) best = i;
+            if (std::fabs(input[i].r) > std::fabs(input[best].r)) best = i;
         greatest[range] = input[best];
     });
     sample.insert(sample.end(), greatest.begin(), greatest.end());
@@ -170,7 +172,7 @@ bool parts_help(const StridedSites& input, const Options& options, const Workers
     const Watch watch(options.stop, nobody, n);
     const auto reach = make_reach(few.kernel, few.plan.numbers);
     return PartsConstruction(few.plan, one, few.kernel, reach, few.hidden_by, options.seed, watch)
-        .run(few.topology);
+        .run(few.topology, 4);
 }
 
 /// By insertion, in parts where `levels` says so. make_kernel(sites, original, workers) makes the
@@ -214,6 +216,7 @@ Tessellation construct_by_insertion(Metric metric, const StridedSites& input,
     }
     if constexpr (Kernel::is_straight)
         if (!is_done) connect_line(all.topology, visible_on_line(all.kernel, n, all.hidden_by));
+    watch.end();
     return finish(metric, input, options, start, workers, all.kernel, std::move(all.sites),
                   std::move(all.topology), std::move(original), std::move(all.hidden_by),
                   std::move(all.plan.ranks));

@@ -88,7 +88,7 @@ template <class Kernel>
     // Infinity is in K_k, in K_l or on the other stretch, and the intervals that do not hold it are
     // ordered. Of k and l one at most is infinity, which no rounded answer may bring into
     // precedes_on_bisector.
-    const auto holds_infinity = [&](Index m) {
+    const auto holds_infinity = [&, i = i, j = j](Index m) {
         return m == infinite || kernel.conflicts(i, j, infinite, m) ||
                kernel.conflicts(j, i, infinite, m);
     };

@@ -77,8 +77,11 @@ class PartsConstruction {
     /// Fills a structure with room for all sites. False, and it has no faces, where the sites have
     /// no structure (insert_all.hpp) or nothing is gained by parts; hidden_by then says who is
     /// hidden so far.
-    [[nodiscard]] bool run(Topology& topology) {
+    /// `share`: parts are joined where one of so many of their visible sites, or fewer, are to be
+    /// inserted anew.
+    [[nodiscard]] bool run(Topology& topology, std::size_t share = 2) {
         topology_ = &topology;
+        share_ = share;
         topology.use_all();
         boxes_ = boxes_of<2>(plan_, workers_, [this](std::size_t leaf) { return box_of(leaf); });
         Part whole;
@@ -193,7 +196,7 @@ class PartsConstruction {
             }
 
         joined.visible = below.visible + above.visible;
-        if (2 * sites.size() <= joined.visible) {
+        if (share_ * sites.size() <= joined.visible) {
             Topology patch(sites.size());
             order_spatially(view_of(std::span(&kernel_.site(0), hidden_by_.size())), sites, seed_);
             if (insert_all(patch, kernel_, hidden_by_, sites, watch_))
@@ -307,6 +310,7 @@ class PartsConstruction {
     }
 
     Topology* topology_ = nullptr;
+    std::size_t share_ = 2;
     const Plan& plan_;
     const Workers& workers_;
     Kernel& kernel_;

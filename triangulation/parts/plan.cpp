@@ -10,26 +10,30 @@
 namespace signum::triangulation {
 namespace {
 
-/// Cuts the part of node k through the middle of a sample, across its longest side.
+/// Cuts the part of node k through the middle of a sample, at a right angle to the axis along which
+/// most of it is spread widest. A few sites far out do not count: where those at a cut are cut
+/// again, hull and giants reach far along the first cut's axis, and all others lie close to it.
 template <std::size_t D>
 void cut(std::span<std::array<double, D>> sample, std::size_t k, std::vector<Cut>& cuts) {
     using Place = std::array<double, D>;
     if (k >= cuts.size()) return;
     std::size_t middle = sample.size() / 2;
     if (!sample.empty()) {
-        Place extent{};
+        const auto put_in_place = [&](std::size_t place, std::size_t axis) {
+            std::ranges::nth_element(sample, sample.begin() + static_cast<std::ptrdiff_t>(place),
+                                     {}, [axis](const Place& each) { return each[axis]; });
+            return sample[place][axis];
+        };
+        Place spread{};
         for (std::size_t axis = 0; axis < D; ++axis) {
-            const auto [least, greatest] =
-                std::ranges::minmax(sample, {}, [axis](const Place& place) { return place[axis]; });
+            const std::size_t eighth = sample.size() / 8;
             // Halved, so that it cannot overflow.
-            extent[axis] = 0.5 * greatest[axis] - 0.5 * least[axis];
+            spread[axis] = 0.5 * put_in_place(sample.size() - 1 - eighth, axis) -
+                           0.5 * put_in_place(eighth, axis);
         }
         Cut& here = cuts[k];
-        here.axis = static_cast<std::size_t>(std::ranges::max_element(extent) - extent.begin());
-        const auto coordinate = [&](const Place& place) { return place[here.axis]; };
-        std::ranges::nth_element(sample, sample.begin() + static_cast<std::ptrdiff_t>(middle), {},
-                                 coordinate);
-        here.at = sample[middle][here.axis];
+        here.axis = static_cast<std::size_t>(std::ranges::max_element(spread) - spread.begin());
+        here.at = put_in_place(middle, here.axis);
     }
     cut(sample.first(middle), 2 * k + 1, cuts);
     cut(sample.subspan(middle), 2 * k + 2, cuts);

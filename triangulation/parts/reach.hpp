@@ -96,11 +96,14 @@ class PowerReach {
     }
 
     /// The vertex solves b·p = H_b / 2, c·p = H_c / 2 with H = |b|² - (w_b - w_a), relative to the
-    /// first site. With e = 2^-53 a product H_b c_y is in error by at most 12e h_b |c_y|, where h_b
-    /// = |b|² + |w_b| + |w_a|; the area, if at least 2^-26 of the sum A of its terms' magnitudes,
+    /// first site. A product H_b c_y is in error by at most 12 · 2^-53 h_b |c_y|, where h_b =
+    /// |b|² + |w_b| + |w_a|; the area, if at least 2^-26 of the sum A of its terms' magnitudes,
     /// by 2^-25 of itself. So a coordinate is off by 2^-48 (h_b |c| + h_c |b|) / area + 2^-23 of
-    /// itself at most, the first of which pays for the second order too; 2^-100 of the offsets pays
-    /// for underflow, for the area is at least 2^-900, and each product commits 2^-1074.
+    /// itself at most, the first of which pays for the second order too.
+    /// 2^-100 (|b| + |c|) pays for underflow where the area is above 2^-300. Then one of the
+    /// offsets is above 2^-151. A height loses less than 2^-1071; times |c| / area that is below
+    /// 2^-771 |c|. The two products and this bound lose less than 2^-1071; over the area that is
+    /// below 2^-771, and so below 2^-620 (|b| + |c|).
     [[nodiscard]] Circle at_face(Index i, Index j, Index k) const noexcept {
         using std::fabs;
         const auto& a = kernel_.site(i);
@@ -123,7 +126,7 @@ class PowerReach {
         const double c_length = fabs(cx) + fabs(cy);
         double error = 0x1p-48 * (b_most * c_length + c_most * b_length) / area +
                        0x1p-23 * (fabs(x) + fabs(y)) + 0x1p-100 * (b_length + c_length);
-        if (!(area > 0x1p-26 * (fabs(bx * cy) + fabs(cx * by)) && area > 0x1p-900))
+        if (!(area > 0x1p-26 * (fabs(bx * cy) + fabs(cx * by)) && area > 0x1p-300))
             error = HUGE_VAL;
         return Circle::from({a.x, a.y}, w, {x, y}, error);
     }
@@ -165,10 +168,12 @@ class AdditiveReach {
                                                 : crossing.beyond.high[crossing.axis];
         const double distance = crossing.is_above ? border - p : p - border;
         const double greatest = std::max(crossing.own.greatest, crossing.beyond.greatest);
-        // More than the roundings of all that is written here; where there is no vertex, NaN.
+        // Each number of the vertex is the nearest double, and no more is rounded than the
+        // difference, two sums and what pays for them: six times 2^-53 of the slack, or of a
+        // denormal 2^-1075 twice. Where there is no vertex, NaN.
         const double slack =
             (std::fabs(p) + std::fabs(border)) + (std::fabs(vertex.rho) + std::fabs(greatest));
-        return !(distance > vertex.rho + greatest + 0x1p-48 * slack);
+        return !(distance > vertex.rho + greatest + (0x1p-50 * slack + 0x1p-1072));
     }
 
  private:

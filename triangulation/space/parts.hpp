@@ -38,12 +38,12 @@ struct Leaves {
     /// What a name says.
     struct Names {
         int shift;
-        Index most;  ///< the last of a leaf's cells
+        Index mask;
 
         [[nodiscard]] std::size_t leaf(Index name) const noexcept {
             return static_cast<std::size_t>(name) >> shift;
         }
-        [[nodiscard]] Index local(Index name) const noexcept { return name & most; }
+        [[nodiscard]] Index local(Index name) const noexcept { return name & mask; }
     };
     std::vector<Cells> cells;
     int shift = 31;
@@ -71,8 +71,8 @@ struct Leaves {
     }
 };
 
-/// How many levels of cuts give these workers enough to do, for so many sites: one leaf each, for
-/// whatever more is cut has to be joined, or twice as many where so many are not a power of two.
+/// How many levels of cuts give these workers enough to do, for so many sites: a leaf each, for
+/// whatever more is cut has to be joined; where that is no power of two, two to four each.
 [[nodiscard]] inline int levels_for(std::size_t sites, const Workers& workers) noexcept {
     if (workers.count() == 1) return 0;
     const auto count = static_cast<std::size_t>(workers.count());
@@ -80,7 +80,9 @@ struct Leaves {
     return std::clamp(static_cast<int>(std::bit_width(std::min(leaves, sites / few_items))) - 1, 0,
                       10);
 }
-/// As many as those.
+/// How many sites are tried in two parts, before many more are: of fewer half would be at the cut.
+inline constexpr std::size_t sampled = 8192;
+/// As many as levels_for() says; none where the trial would take too large a share of the time.
 inline constexpr int any_levels = -1;
 
 /// What a construction in parts knows of sites.
@@ -131,19 +133,17 @@ class PartsOfSpace {
         leaves_.shift = 31 - levels;
     }
 
-    /// All cells; none, and loose sites, where nothing is gained by parts.
+    /// All cells; none, and loose sites, where nothing is gained by parts. To be guarded by the
+    /// watch (Watch::guard_all), those of joins within it.
     [[nodiscard]] Result run() && {
         boxes_ = triangulation::boxes_of<3>(plan_, workers_, [this](std::size_t leaf) {
             Box box;
             for (const Index i : plan_.numbers_of(leaf)) box.include(box_of(site(i)));
             return box;
         });
-        Part whole;
-        watch_.guard_all([&] {
-            whole = triangulation::built<Part>(
-                plan_, workers_, watch_, [this](std::size_t number) { return leaf(number); },
-                [this](std::array<Part, 2>& parts, std::size_t k) { return join(parts, k); });
-        });
+        Part whole = triangulation::built<Part>(
+            plan_, workers_, watch_, [this](std::size_t number) { return leaf(number); },
+            [this](std::array<Part, 2>& parts, std::size_t k) { return join(parts, k); });
         return {std::move(leaves_), std::move(whole), std::move(plan_.numbers)};
     }
 
@@ -235,12 +235,18 @@ class PartsOfSpace {
         mark_all(sites.size(), Mark::is_elsewhere);
 
         if (2 * sites.size() <= joined.sites - joined.hidden.size()) {
+            const auto built = [&](std::span<const Index> some, int levels) {
+                Result patch =
+                    PartsOfSpace(sites_, some, levels, is_forced_, marks_, workers_, seed_, watch_)
+                        .run();
+                joined.hidden.insert(joined.hidden.end(), patch.part.hidden.begin(),
+                                     patch.part.hidden.end());
+                return patch;
+            };
             const int levels = is_forced_ ? plan_.levels - 1 : levels_for(sites.size(), workers_);
-            const Result patch =
-                PartsOfSpace(sites_, sites, levels, is_forced_, marks_, workers_, seed_, watch_)
-                    .run();
-            joined.hidden.insert(joined.hidden.end(), patch.part.hidden.begin(),
-                                 patch.part.hidden.end());
+            Result patch = built(sites, levels);
+            if (levels > 0 && !patch.part.loose.empty())
+                patch = built(std::vector<Index>(patch.part.loose), 0);
             if (patch.part.loose.empty()) {
                 mark_all(reached, Mark::is_reached);
                 replace(going, patch.leaves, joined);
@@ -333,7 +339,7 @@ class PartsOfSpace {
     [[nodiscard]] static Key key_of(const Four& cell, std::size_t place) noexcept {
         const auto& [i, j, k] = facet_of[place];
         std::array<Index, 3> facet = {cell[i], cell[j], cell[k]};
-        std::ranges::rotate(facet, std::ranges::min_element(facet));
+        std::rotate(facet.begin(), std::ranges::min_element(facet), facet.end());
         const auto both = [](Index a, Index b) {
             return static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32 |
                    static_cast<std::uint32_t>(b);

@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "../../core/insertion_rounds.hpp"
 #include "../../core/pages.hpp"
 #include "../../core/parallel.hpp"
 #include "../../exact/floating_environment.hpp"
@@ -42,8 +43,10 @@ class Construction {
           options_(options),
           workers_(Kernel::is_exact ? options.threads : 1, sites.size()),
           levels_(!Kernel::is_exact               ? 0
-                  : levels == spatial::any_levels ? spatial::levels_for(sites.size(), workers_)
-                                                  : levels),
+                  : levels != spatial::any_levels ? levels
+                  : sites.size() < 8 * spatial::sampled
+                      ? 0
+                      : spatial::levels_for(sites.size(), workers_)),
           is_forced_(levels != spatial::any_levels),
           watch_(options.stop, options.progress, sites.size()) {}
 
@@ -59,6 +62,7 @@ class Construction {
             put_in_order(order);
             build(order, result);
         }
+        watch_.end();
         find_nearest(result.hidden);
         all_ = {};
         release(hidden_);
@@ -76,15 +80,38 @@ class Construction {
             order, [&](Index i) { return centre3(site(i)); }, options_.seed);
     }
 
+    [[nodiscard]] auto in_parts(std::span<const Index> some, int levels, std::span<Mark> marks,
+                                const triangulation::Watch& watch) const {
+        return spatial::PartsOfSpace<S>(sites_, some, levels, is_forced_, marks, workers_,
+                                        options_.seed, watch)
+            .run();
+    }
+    /// Whether parts are joined, and not handed on to one thread, tried with a sample of the sites.
+    /// Of sites on a sphere, or on any surface that is thinner than the sample's sites are apart,
+    /// nearly all may be reached from beyond a cut. Leaves the marks as they are.
+    [[nodiscard]] bool parts_help(std::span<Mark> marks) const {
+        std::vector<Index> sample;
+        for (std::size_t i = 0; i < spatial::sampled; ++i)
+            sample.push_back(static_cast<Index>(mix(options_.seed + i) % sites_.size()));
+        std::ranges::sort(sample);
+        sample.erase(std::unique(sample.begin(), sample.end()), sample.end());
+        const std::function<void(double)> nobody;
+        const triangulation::Watch watch(options_.stop, nobody, sample.size());
+        bool help = false;
+        watch.guard_all([&] { help = in_parts(sample, 1, marks, watch).part.loose.empty(); });
+        for (const Index i : sample) marks[static_cast<std::size_t>(i)] = Mark::is_elsewhere;
+        return help;
+    }
+
     /// False, and there are no cells, where nothing is gained by parts; `order` then holds the
     /// sites that are not known to be hidden, so far.
     [[nodiscard]] bool build_in_parts(LargeArray<Index>& order) {
         if constexpr (Kernel::is_exact) {
             LargeArray<Mark> marks(sites_.size(), Mark::is_elsewhere);
-            auto [leaves, part, numbers] =
-                spatial::PartsOfSpace<S>(sites_, order, levels_, is_forced_, marks, workers_,
-                                         options_.seed, watch_)
-                    .run();
+            if (!is_forced_ && !parts_help(marks)) return false;
+            typename spatial::PartsOfSpace<S>::Result built;
+            watch_.guard_all([&] { built = in_parts(order, levels_, marks, watch_); });
+            auto& [leaves, part, numbers] = built;
             if (part.loose.empty()) {
                 leaves_ = std::move(leaves);
                 if (!part.hidden.empty()) take_hidden(std::move(numbers), part.hidden);

@@ -54,8 +54,8 @@ class Watch {
             throw;
         }
     }
-    /// All of the work, which may have several parts: throws what the first of them threw. The
-    /// caller is told when all have ended.
+    /// All of the work, which may have several parts: throws what the first of them threw. Not
+    /// within a part.
     template <class Work>
     void guard_all(const Work& work) const {
         try {
@@ -64,16 +64,20 @@ class Watch {
             if (failure_) std::rethrow_exception(failure_);
             throw;
         }
-        tell(all_);
     }
+    /// Everything is done.
+    void end() const { tell(all_); }
 
  private:
     void tell(std::size_t done) const {
         if (stop_.stop_requested()) throw Stopped();
         if (!progress_ || std::this_thread::get_id() != caller_) return;
         const exact::KeptEnvironment kept;
-        // What is between parts is built twice.
-        progress_(std::min(1.0, static_cast<double>(done) / static_cast<double>(all_)));
+        // Sites at a cut are inserted twice, and all where parts do not help: more units than are
+        // known in advance.
+        const double share = std::min(1.0, static_cast<double>(done) / static_cast<double>(all_));
+        told_ = std::max(told_, share);
+        progress_(told_);
     }
 
     const std::stop_token& stop_;
@@ -81,6 +85,7 @@ class Watch {
     std::size_t all_;
     std::size_t period_;
     std::thread::id caller_ = std::this_thread::get_id();
+    mutable double told_ = 0.0;  ///< by the calling thread
     mutable std::atomic<std::size_t> done_ = 0;
     mutable std::atomic<bool> has_failed_ = false;
     mutable std::exception_ptr failure_;  ///< read when all parts have ended
