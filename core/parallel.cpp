@@ -10,11 +10,12 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <thread>
 #include <utility>
 
 #if !defined(SIGNUM_WITHOUT_TBB)
+#include <sys/mman.h>
+
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
@@ -121,55 +122,68 @@ class Order {
 
 namespace {
 
-/// How many threads, up to so many, can be there at a time. oneTBB ends the program where one of
-/// its own does not start: so threads are tried that claim memory and do nothing, and then as many
-/// of oneTBB's are waited for. These stay.
-int startable(int count) {
-    static std::mutex one_at_a_time;
-    static int started = 1;  // of oneTBB's, the calling thread among them
-    const std::scoped_lock lock(one_at_a_time);
-    if (count <= started) return count;
-    // Not taken away at the end: threads would go with the last arena.
-    static tbb::task_arena* keeps_threads = nullptr;
-    if (keeps_threads == nullptr) (keeps_threads = new tbb::task_arena(2))->initialize();
-
-    std::vector<std::thread> tried;
+/// Whether so many more threads can be started: that many are, and do nothing; and for each there
+/// are the addresses that its stack takes and, for a while, the C library for its memory.
+bool can_start(int count) {
+    constexpr std::size_t each = std::size_t{8 + 128} << 20;
+    const std::size_t size = each * static_cast<std::size_t>(count);
+    void* const range =
+        ::mmap(nullptr, size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (range == MAP_FAILED) return false;
+    ::munmap(range, size);
     std::atomic<bool> is_over = false;
+    std::vector<std::thread> tried;
     try {
-        while (started + std::ssize(tried) < count)
-            tried.emplace_back([&] {
-                // The first of a thread, for which the C library reserves it a range of addresses.
-                std::free(std::malloc(1024));
-                is_over.wait(false);
-            });
-    } catch (const std::system_error&) {
-        // As many as there are.
+        while (std::ssize(tried) < count) tried.emplace_back([&] { is_over.wait(false); });
+    } catch (const std::exception&) {
+        // Fewer.
     }
-    const int most = started + static_cast<int>(tried.size());
     is_over = true;
     is_over.notify_all();
     for (std::thread& thread : tried) thread.join();
+    return std::ssize(tried) == count;
+}
 
+/// Has oneTBB start its threads up to so many, and waits for them, though not for ever.
+void start(int count) {
+    // Not taken away at the end: threads would go with the last arena.
+    static tbb::task_arena* keeps_threads = nullptr;
+    if (keeps_threads == nullptr) (keeps_threads = new tbb::task_arena(2))->initialize();
     // One limit for all, for of several the least would hold.
     static tbb::global_control* limit = nullptr;
-    if (most > tbb::info::default_concurrency()) {
+    if (count > tbb::info::default_concurrency()) {
         delete std::exchange(limit, nullptr);
         limit = new tbb::global_control(tbb::global_control::max_allowed_parallelism,
-                                        static_cast<std::size_t>(most));
+                                        static_cast<std::size_t>(count));
     }
     std::atomic<int> arrived = 0;
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
-    tbb::task_arena(most).execute([&] {
+    tbb::task_arena(count).execute([&] {
         tbb::parallel_for(
-            tbb::blocked_range<int>(0, most, 1),
+            tbb::blocked_range<int>(0, count, 1),
             [&](const tbb::blocked_range<int>&) {
                 ++arrived;
-                while (arrived < most && std::chrono::steady_clock::now() < deadline)
+                while (arrived < count && std::chrono::steady_clock::now() < deadline)
                     std::this_thread::yield();
             },
             tbb::simple_partitioner{});
     });
-    return started = most;
+}
+
+/// How many threads, up to so many, can work at a time. oneTBB ends the program where one of its
+/// own does not start: it is asked for no more than have been tried, all at once or, where there is
+/// no room for all, a few after the others.
+int startable(int count) {
+    static std::mutex one_at_a_time;
+    static int started = 1;  // the calling thread among them
+    const std::scoped_lock lock(one_at_a_time);
+    for (int step = count - started; step > 0 && started < count;
+         step = std::min(step, count - started))
+        if (can_start(step))
+            start(started += step);
+        else
+            step /= 2;
+    return std::min(count, started);
 }
 
 }  // namespace
