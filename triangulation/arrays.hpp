@@ -25,7 +25,10 @@ using Face = std::array<Index, 3>;
 /// In which order faces stand. Either depends on the sites alone.
 enum class Order : std::uint8_t {
     index,  ///< by the numbers of their sites
-    curve   ///< by the places of their sites along a Hilbert curve, at one place by their numbers
+    /// By the places of their sites along a Hilbert curve. Sites that share a cell of the finest
+    /// grid that the curve is followed on, 64 at most unless they lie in one place, by their
+    /// numbers.
+    curve
 };
 
 /// In the order of their enumerators.
@@ -53,7 +56,7 @@ struct TessellationArrays {
     WeightIs weight_is = WeightIs::radius;  ///< what third numbers are
     Order order = Order::index;             ///< of the faces
     std::int64_t sites = 0;                 ///< how many, hidden ones included
-    std::vector<Face> faces;                ///< counterclockwise, the first in order first, sorted
+    std::vector<Face> faces;                ///< counterclockwise, from the first in order; sorted
     std::vector<Face> neighbours;           ///< neighbours[f][k] is across from faces[f][k]
     std::vector<Hidden> hidden;             ///< sorted by site
     friend bool operator==(const TessellationArrays&, const TessellationArrays&) = default;

@@ -3,6 +3,7 @@
 /// distances, one for each neighbour that a walk looks at.
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <string>
 #include <tuple>
@@ -11,6 +12,7 @@
 
 #include "../../tool/generate/generate.hpp"
 #include "../../triangulation/triangulate.hpp"
+#include "../../triangulation/validate.hpp"
 #include "../thoroughness.hpp"
 #include "adversarial_sites.hpp"
 
@@ -49,6 +51,23 @@ INSTANTIATE_TEST_SUITE_P(, Growth,
                              return std::string(name_of(std::get<0>(info.param))) + "_" +
                                     std::string(name_of(std::get<1>(info.param)));
                          });
+
+/// Weights that are squared lengths, far greater than any coordinate, and one cell in which half of
+/// the sites are hidden.
+TEST(GrowthOfJudgement, ComparisonsASiteStayBounded) {
+    for (const int n : sizes()) {
+        constexpr double unit = 0x1p28;
+        const int most = static_cast<int>(std::sqrt(n / 2) / 2);
+        std::vector<power::Site> sites;
+        for (int i = -most; i <= most; ++i)
+            for (int j = -most; j <= most; ++j)
+                sites.push_back({i * unit, j * unit, (i * i + j * j + (i == 0 && j == 0)) * unit});
+        for (int i = 0; i < n / 2; ++i) sites.push_back({static_cast<double>(i), 0, 0});
+        const Validation judged = validate(triangulate(sites, Power{}));
+        EXPECT_TRUE(judged.valid);
+        EXPECT_LT(static_cast<double>(judged.filtered + judged.multiprecision), bound * n);
+    }
+}
 
 class AdversarialGrowth : public testing::TestWithParam<std::tuple<Metric, adversarial::Family>> {};
 

@@ -99,7 +99,7 @@ Metric metric_of(const std::string& name) {
 CLI::Option* add_threads(CLI::App& command, int& threads) {
     return add_checked(command, "--threads", threads, "N", whole_number_to(most_threads),
                        "How many threads work; the result does not depend\non it. 0: as many as "
-                       "there are cores to use")
+                       "there are cores to use. Few\nsites, and work that rounds or counts, stay on one")
         ->each([](const std::string& text) {
             if (const auto number = parse_whole_number(text))
                 threads_of_files = static_cast<int>(std::min<std::uint64_t>(*number, most_threads));

@@ -252,10 +252,11 @@ void add_triangulate(CLI::App& tool) {
                 "over the plane, manhattan and supremum only; the\nresult is the same")
         ->capture_default_str();
     add_checked(*command, "--order", call->order, "NAME", one_of(names_of(all_orders)),
-                "Of the faces: index, by the numbers of their sites;\n"
-                "curve, by their places along a curve, so that near\n"
-                "ones stand together. Either depends on the sites\n"
-                "alone. Of the plane; JSON keeps index")
+                "Of the faces, and of the sites in each: index, by\n"
+                "the numbers of the sites; curve, by their places\n"
+                "along a curve, so that near ones stand together.\n"
+                "Either depends on the sites alone. Of the plane;\n"
+                "JSON keeps index")
         ->capture_default_str();
     add_checked(*command, "--arithmetic", call->arithmetic, "NAME", name_of_arithmetic(),
                 "What decides signs. The first four never err:\n"

@@ -34,9 +34,10 @@ class NearSites {
         const auto bounds_of = [&](std::size_t m) {
             return scaled(sites[static_cast<std::size_t>(members_[m])]);
         };
+        // Cut along coordinates alone: weights may be greater by far, and say little of who is near.
         tree_ = {members_.size(),
                  4,
-                 numbers,
+                 coordinates,
                  bounds_of,
                  triangulation::most_alone(workers, members_.size()),
                  triangulation::both_by(workers)};

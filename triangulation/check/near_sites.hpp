@@ -41,11 +41,11 @@ struct AdditiveDistance {
 template <class Distance>
 class NearSites {
  public:
-    /// Of the sites that `members` names.
+    /// Of the sites that `members` names. Boxes are cut along coordinates alone.
     template <class SiteOf>
     NearSites(const std::vector<Index>& members, const SiteOf& site_of, const Workers& workers)
         : tree_(
-              members.size(), 8, 3, [&](std::size_t m) { return only(site_of(members[m])); },
+              members.size(), 8, 2, [&](std::size_t m) { return only(site_of(members[m])); },
               most_alone(workers, members.size()), both_by(workers)) {
         for (const std::uint32_t m : tree_.order())
             members_.push_back({site_of(members[m]), members[m]});

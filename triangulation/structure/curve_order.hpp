@@ -160,8 +160,8 @@ template <std::size_t D, class Place>
 void sort_along_curve(std::span<std::uint64_t> keys, const CurveKeys& layout, const Place& place,
                       const Workers& workers);
 
-/// Sorts keys by `bits` of them, from `shift` on, by counting; O(size). `room` has room for as
-/// many.
+/// Sorts keys by `bits` of them, from `shift` on, by counting, into `sorted`, which has room
+/// for as many; O(size).
 inline void sort_by_digit(std::span<const std::uint64_t> keys, std::span<std::uint64_t> sorted,
                           int shift, int bits, const Workers& workers) {
     const std::uint64_t mask = (std::uint64_t{1} << bits) - 1;
