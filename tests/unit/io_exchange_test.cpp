@@ -63,6 +63,7 @@ TEST(NodeSites, AreNumberedFromZeroOrOne) {
                                      " 0x1p-3 -4\n" + std::to_string(first + 2) + " 1e308 0");
         EXPECT_EQ(file.dimension, 2);
         EXPECT_EQ(file.sites, (Sites{{1, 2.5, 0}, {0.125, -4, 0}, {1e308, 0, 0}}));
+        EXPECT_EQ(file.first_number, first);
         EXPECT_EQ(file.note, "");
         EXPECT_TRUE(file.first_beyond_single);
     }
@@ -146,6 +147,12 @@ TEST(Elements, AreTheFiniteFacesAndCells) {
               "2 3 0\n0 0 1 2\n1 1 3 2\n");
     EXPECT_EQ(text_of([&](std::ostream& out) { write_neigh(out, plane); }),
               "2 3\n0 1 -1 -1\n1 -1 0 -1\n");
+    EXPECT_EQ(text_of([&](std::ostream& out) { write_ele(out, plane, 1); }),
+              "2 3 0\n1 1 2 3\n2 2 4 3\n");
+    EXPECT_EQ(text_of([&](std::ostream& out) { write_neigh(out, plane, 1); }),
+              "2 3\n1 2 -1 -1\n2 -1 1 -1\n");
+    EXPECT_EQ(text_of([](std::ostream& out) { write_sites(out, square, SitesFormat::node, 1); }),
+              "4 2 1 0\n1 0 0 0\n2 2 0 0\n3 0 2 0\n4 2 3 0\n");
     const SpaceTessellation space = triangulate(corner, Power{});
     EXPECT_EQ(text_of([&](std::ostream& out) { write_ele(out, space); }),
               "3 4 0\n0 0 1 2 4\n1 0 1 4 3\n2 0 2 3 4\n");

@@ -163,6 +163,7 @@ void triangulate_in_space(const TriangulateCall& call, const InputSites& sites,
                              }));
     }
     const auto grid = [&] { return vtk_grid(tessellation, balls, sites.third); };
+    const int first = sites.file.first_number;
     outputs.write(
         {{"svg", [&](std::ostream& out) { write_svg(out, tessellation, balls, sites.third); }},
          {"csv", [&](std::ostream& out) { write_csv(out, tessellation); }},
@@ -172,9 +173,9 @@ void triangulate_in_space(const TriangulateCall& call, const InputSites& sites,
          {"vtk", [&](std::ostream& out) { write_vtk(out, grid()); }},
          {"vtu", [&](std::ostream& out) { write_vtu(out, grid()); }},
          {"ply", [&](std::ostream& out) { write_ply(out, balls, sites.third); }},
-         {"node", [&](std::ostream& out) { write_sites(out, balls, SitesFormat::node); }},
-         {"ele", [&](std::ostream& out) { write_ele(out, tessellation); }},
-         {"neigh", [&](std::ostream& out) { write_neigh(out, tessellation); }},
+         {"node", [&](std::ostream& out) { write_sites(out, balls, SitesFormat::node, first); }},
+         {"ele", [&](std::ostream& out) { write_ele(out, tessellation, first); }},
+         {"neigh", [&](std::ostream& out) { write_neigh(out, tessellation, first); }},
          {"json", [&](std::ostream& out) {
               write_json(out, tessellation, metric_of(call.metric), sites.third,
                          call.statistics ? std::optional(statistics) : std::nullopt, diagram);
@@ -209,6 +210,7 @@ void run(const TriangulateCall& call) {
                                        strided_view(tessellation.sites(), tessellation.weight_is()),
                                        call.quiet, call.threads));
     }
+    const int first = sites.file.first_number;
     outputs.write(
         {{"svg",
           [&](std::ostream& out) {
@@ -226,9 +228,11 @@ void run(const TriangulateCall& call) {
          {"vtk", [&](std::ostream& out) { write_vtk(out, vtk_grid(tessellation)); }},
          {"vtp", [&](std::ostream& out) { write_vtp(out, vtk_grid(tessellation)); }},
          {"node",
-          [&](std::ostream& out) { write_sites(out, tessellation.sites(), SitesFormat::node); }},
-         {"ele", [&](std::ostream& out) { write_ele(out, tessellation); }},
-         {"neigh", [&](std::ostream& out) { write_neigh(out, tessellation); }},
+          [&](std::ostream& out) {
+              write_sites(out, tessellation.sites(), SitesFormat::node, first);
+          }},
+         {"ele", [&](std::ostream& out) { write_ele(out, tessellation, first); }},
+         {"neigh", [&](std::ostream& out) { write_neigh(out, tessellation, first); }},
          {"json", [&](std::ostream& out) {
               write_json(out, tessellation, {call.vertices, call.statistics, call.threads});
           }}});

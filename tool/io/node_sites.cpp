@@ -110,6 +110,7 @@ class NodeSites {
             if (!number || *number > 1)
                 lines_.fail_at(0, "points are numbered from 0 or from 1, one after the other");
             first_ = *number;
+            result_.first_number = static_cast<int>(first_);
         } else if (number != index + first_) {
             lines_.fail_at(0,
                            fmt::format("{} where point {} comes; they are numbered one after the "

@@ -90,6 +90,8 @@ struct SitesFile {
     std::optional<Position> first_beyond_single;
     /// Those that were asked for.
     std::vector<Attribute> attributes;
+    /// By what a file of nodes numbers the first one: 0 or 1.
+    int first_number = 0;
     /// What was left out, in a sentence, where a file has what may have been meant, such as a third
     /// column of another name, and nobody had said so; else empty.
     std::string note;

@@ -19,7 +19,7 @@ std::array<Number, 4> numbers_of(const Site3& site) noexcept {
 }
 
 template <class S>
-void write(std::ostream& out, std::span<const S> sites, SitesFormat format,
+void write(std::ostream& out, std::span<const S> sites, SitesFormat format, int first,
            std::string_view header) {
     constexpr std::size_t width = sizeof(S) / sizeof(double);
     if (format == SitesFormat::npy) put_npy_head(out, "f8", sites.size(), width);
@@ -52,7 +52,7 @@ void write(std::ostream& out, std::span<const S> sites, SitesFormat format,
         case SitesFormat::node:
             text.put(FMT_COMPILE("{} {} 1 0\n"), sites.size(), width - 1);
             for (std::size_t i = 0; i < sites.size(); ++i) {
-                text.put(FMT_COMPILE("{}"), i);
+                text.put(FMT_COMPILE("{}"), i + static_cast<std::size_t>(first));
                 for (const double number : numbers_of<double>(sites[i]))
                     text.put(FMT_COMPILE(" {}"), number);
                 text.put("\n");
@@ -64,12 +64,12 @@ void write(std::ostream& out, std::span<const S> sites, SitesFormat format,
 
 }  // namespace
 
-void write_sites(std::ostream& out, std::span<const Site> sites, SitesFormat format) {
-    write(out, sites, format, "x,y,r\n");
+void write_sites(std::ostream& out, std::span<const Site> sites, SitesFormat format, int first) {
+    write(out, sites, format, first, "x,y,r\n");
 }
 
-void write_sites(std::ostream& out, std::span<const Site3> sites, SitesFormat format) {
-    write(out, sites, format, "x,y,z,r\n");
+void write_sites(std::ostream& out, std::span<const Site3> sites, SitesFormat format, int first) {
+    write(out, sites, format, first, "x,y,z,r\n");
 }
 
 }  // namespace signum

@@ -16,11 +16,13 @@ enum class SitesFormat : std::uint8_t {
     npy,   ///< an array of NumPy's, a row a site
     f64,   ///< the same without a head
     /// Triangle's, in space TetGen's: all sites with their radius or weight as the only attribute
-    /// and without boundary markers, numbered from 0.
+    /// and without boundary markers.
     node
 };
 
-void write_sites(std::ostream& out, std::span<const Site> sites, SitesFormat format);
-void write_sites(std::ostream& out, std::span<const Site3> sites, SitesFormat format);
+/// Nodes are numbered from `first`, 0 or 1.
+void write_sites(std::ostream& out, std::span<const Site> sites, SitesFormat format, int first = 0);
+void write_sites(std::ostream& out, std::span<const Site3> sites, SitesFormat format,
+                 int first = 0);
 
 }  // namespace signum

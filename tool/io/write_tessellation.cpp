@@ -144,30 +144,35 @@ Numbered numbered(std::span<const Simplex> simplices) {
     return result;
 }
 
-/// A line for each finite simplex: its number, and the numbers that `told` gives of it.
+/// A line for each finite simplex: its number, and the numbers that `told` gives of it, all from
+/// `first` on but -1.
 template <class Simplex, class Told>
-void put_lines(TextWriter& text, std::span<const Simplex> simplices, const Told& told) {
-    Index number = 0;
-    for (std::size_t i = 0; i < simplices.size(); ++i)
-        if (simplices[i][0] != infinite)
-            text.put(FMT_COMPILE("{} {}\n"), number++, fmt::join(told(i), " "));
+void put_lines(TextWriter& text, std::span<const Simplex> simplices, int first, const Told& told) {
+    Index number = first;
+    for (std::size_t i = 0; i < simplices.size(); ++i) {
+        if (simplices[i][0] == infinite) continue;
+        Simplex numbers = told(i);
+        for (Index& each : numbers)
+            if (each >= 0) each += first;
+        text.put(FMT_COMPILE("{} {}\n"), number++, fmt::join(numbers, " "));
+    }
 }
 
 template <class Simplex>
-void write_ele_of(std::ostream& out, std::span<const Simplex> simplices) {
+void write_ele_of(std::ostream& out, std::span<const Simplex> simplices, int first) {
     TextWriter text(out);
     text.put(FMT_COMPILE("{} {} 0\n"), numbered(simplices).count, Simplex().size());
-    put_lines(text, simplices, [&](std::size_t i) { return simplices[i]; });
+    put_lines(text, simplices, first, [&](std::size_t i) { return simplices[i]; });
     text.flush();
 }
 
 template <class Simplex>
 void write_neigh_of(std::ostream& out, std::span<const Simplex> simplices,
-                    std::span<const Simplex> neighbours) {
+                    std::span<const Simplex> neighbours, int first) {
     const auto finite = numbered(simplices);
     TextWriter text(out);
     text.put(FMT_COMPILE("{} {}\n"), finite.count, Simplex().size());
-    put_lines(text, simplices, [&](std::size_t i) {
+    put_lines(text, simplices, first, [&](std::size_t i) {
         Simplex across = neighbours[i];
         for (Index& each : across) each = finite.numbers[static_cast<std::size_t>(each)];
         return across;
@@ -208,18 +213,18 @@ void write_i32(std::ostream& out, const SpaceTessellation& tessellation) {
                  static_cast<std::size_t>(tessellation.dimension) + 1);
 }
 
-void write_ele(std::ostream& out, const Tessellation& tessellation) {
-    write_ele_of(out, tessellation.faces());
+void write_ele(std::ostream& out, const Tessellation& tessellation, int first) {
+    write_ele_of(out, tessellation.faces(), first);
 }
-void write_ele(std::ostream& out, const SpaceTessellation& tessellation) {
-    write_ele_of(out, solid(tessellation));
+void write_ele(std::ostream& out, const SpaceTessellation& tessellation, int first) {
+    write_ele_of(out, solid(tessellation), first);
 }
 
-void write_neigh(std::ostream& out, const Tessellation& tessellation) {
-    write_neigh_of(out, tessellation.faces(), tessellation.neighbours());
+void write_neigh(std::ostream& out, const Tessellation& tessellation, int first) {
+    write_neigh_of(out, tessellation.faces(), tessellation.neighbours(), first);
 }
-void write_neigh(std::ostream& out, const SpaceTessellation& tessellation) {
-    write_neigh_of(out, solid(tessellation), std::span(tessellation.neighbours));
+void write_neigh(std::ostream& out, const SpaceTessellation& tessellation, int first) {
+    write_neigh_of(out, solid(tessellation), std::span(tessellation.neighbours), first);
 }
 
 // ---- meshes ------------------------------------------------------------------------------------

@@ -53,12 +53,13 @@ void write_i32(std::ostream& out, const Tessellation& tessellation);
 void write_i32(std::ostream& out, const SpaceTessellation& tessellation);
 
 /// The finite faces, counterclockwise; in space the finite cells, which turn positively. Of flat
-/// sites in space none. Their sites are what write_sites() writes as SitesFormat::node.
-void write_ele(std::ostream& out, const Tessellation& tessellation);
-void write_ele(std::ostream& out, const SpaceTessellation& tessellation);
+/// sites in space none. Their sites are what write_sites() writes as SitesFormat::node. Sites and
+/// what is written are numbered from `first`, 0 or 1.
+void write_ele(std::ostream& out, const Tessellation& tessellation, int first = 0);
+void write_ele(std::ostream& out, const SpaceTessellation& tessellation, int first = 0);
 /// By face or cell of write_ele() those across from its corners; -1 beyond the hull.
-void write_neigh(std::ostream& out, const Tessellation& tessellation);
-void write_neigh(std::ostream& out, const SpaceTessellation& tessellation);
+void write_neigh(std::ostream& out, const Tessellation& tessellation, int first = 0);
+void write_neigh(std::ostream& out, const SpaceTessellation& tessellation, int first = 0);
 
 /// As Wavefront OBJ, which Blender and MeshLab open: "v x y 0" for every site, hidden ones
 /// included, and "f a b c", counterclockwise, for every finite face.
