@@ -2,7 +2,8 @@
 /// Large working arrays: std::vector without needless zeros.
 ///
 /// An array that is filled at once need not be zeroed before, and of one that is filled in part
-/// only that part is to be touched: elements of trivial type made without a value have none.
+/// only that part is to be touched: elements of trivial type, and sites, have no value where they
+/// are made without one.
 
 #include <cstddef>
 #include <new>
@@ -14,7 +15,25 @@
 #include <sys/mman.h>
 #endif
 
+#include "site.hpp"
+
 namespace signum {
+
+/// Whether an array's elements are filled by their constructor. Sites begin to live without it.
+template <class T>
+inline constexpr bool begins_with_value = !std::is_trivially_default_constructible_v<T>;
+template <>
+inline constexpr bool begins_with_value<Point> = false;
+template <>
+inline constexpr bool begins_with_value<Point3> = false;
+template <>
+inline constexpr bool begins_with_value<Site> = false;
+template <>
+inline constexpr bool begins_with_value<Site3> = false;
+template <>
+inline constexpr bool begins_with_value<power::Site> = false;
+template <>
+inline constexpr bool begins_with_value<power::Site3> = false;
 
 /// Which pages an array's memory comes in. Asked for large ones the system may stop to collect
 /// them, and a construction take twice its time by luck; what lives long and is read everywhere
@@ -51,7 +70,7 @@ class LargeAllocator {
 
     template <class U>
     void construct(U* place) noexcept(std::is_nothrow_default_constructible_v<U>) {
-        ::new (static_cast<void*>(place)) U;
+        if constexpr (begins_with_value<U>) ::new (static_cast<void*>(place)) U;
     }
     template <class U, class... Arguments>
     void construct(U* place, Arguments&&... arguments) {

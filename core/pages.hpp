@@ -29,6 +29,19 @@ inline void expect_writes(void* memory, std::size_t bytes) noexcept {
 #endif
 }
 
+/// What is in this memory will not be read again.
+inline void expect_nothing(void* memory, std::size_t bytes) noexcept {
+#if defined(__linux__)
+    constexpr std::uintptr_t page = 4096;
+    const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
+    const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
+    if (begin < end) ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTNEED);
+#else
+    static_cast<void>(memory);
+    static_cast<void>(bytes);
+#endif
+}
+
 /// As much as the array has room for.
 template <class T, class Allocator>
 void expect_writes(std::vector<T, Allocator>& array) noexcept {

@@ -98,8 +98,7 @@ Tessellation finish(Metric metric, const StridedSites& input, const Options& opt
     arrays.weight_is = input.third_is_weight() ? WeightIs::weight : WeightIs::radius;
     arrays.sites = static_cast<std::int64_t>(n);
     list_hidden(hidden_by, original, arrays.hidden, workers);
-    release(sites);
-    release(hidden_by);
+    give_back(workers, sites, hidden_by);
     arrays.order = options.order;
     const bool along_curve = options.order == Order::curve;
     if (along_curve && ranks.empty()) {
@@ -107,8 +106,7 @@ Tessellation finish(Metric metric, const StridedSites& input, const Options& opt
         for (const Index i : original) ranks.push_back(by_number[static_cast<std::size_t>(i)]);
     }
     assemble(std::move(topology), original, along_curve ? ranks : original, arrays, workers);
-    release(original);
-    release(ranks);
+    give_back(workers, original, ranks);
 
     if (options.count) fill(statistics, kernel.tally());
     std::vector<Site> copy;
@@ -135,7 +133,7 @@ struct Ordered {
         : plan(make_plan(input, levels, options.seed, workers, options.order == Order::curve)),
           sites(in_order<S>(input, plan.numbers, options.arithmetic, workers)),
           kernel(make_kernel(sites, plan.numbers, workers)),
-          hidden_by(input.size(), -1),
+          hidden_by(made<Index>(workers, input.size(), [](std::size_t) { return -1; })),
           topology(input.size()) {}
 
     Plan plan;
@@ -256,8 +254,7 @@ Tessellation construct_by_sweep_with_kernel(Metric metric, const StridedSites& i
 
     const Workers workers(options.threads, n);
     const bool exact_sums = arithmetic == Arithmetic::exact && rectangular::sums_are_exact(input);
-    LargeArray<Index> original(n);
-    std::iota(original.begin(), original.end(), 0);
+    LargeArray<Index> original = counted<Index>(workers, n);
     LargeArray<RankedSite> sites(n);
     {
         LargeArray<RankedSite> given(n);

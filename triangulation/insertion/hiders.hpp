@@ -136,9 +136,11 @@ inline Index end_of_chain(std::span<Index> hidden_by, Index hidden) {
 template <class Kernel>
 void settle_hiders(const Topology& topology, Kernel& kernel, std::span<Index> hidden_by,
                    const Workers& workers) {
-    std::vector<Index> hidden;
-    for (std::size_t i = 0; i < hidden_by.size(); ++i)
-        if (hidden_by[i] >= 0) hidden.push_back(static_cast<Index>(i));
+    const std::vector<Index> hidden = collected<Index>(
+        workers, hidden_by.size(), [&](std::size_t begin, std::size_t end, auto& list) {
+            for (std::size_t i = begin; i < end; ++i)
+                if (hidden_by[i] >= 0) list.push_back(static_cast<Index>(i));
+        });
     if (hidden.empty()) return;
     for (const Index i : hidden)
         hidden_by[static_cast<std::size_t>(i)] = end_of_chain(hidden_by, i);

@@ -72,7 +72,8 @@ class PartsConstruction {
           hidden_by_(hidden_by),
           seed_(seed),
           watch_(watch),
-          marks_(hidden_by.size(), is_elsewhere) {}
+          marks_(made<std::uint8_t>(workers, hidden_by.size(),
+                                    [](std::size_t) { return is_elsewhere; })) {}
 
     /// Fills a structure with room for all sites. False, and it has no faces, where the sites have
     /// no structure (insert_all.hpp) or nothing is gained by parts; hidden_by then says who is

@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <numeric>
 
 #include "../../core/insertion_rounds.hpp"
 #include "../structure/spatial_order.hpp"
@@ -80,16 +79,15 @@ Plan make_plan(const StridedSites& sites, int levels, std::uint64_t seed, const 
     const std::size_t n = sites.size();
     Plan plan;
     plan.levels = levels;
-    const LargeArray<std::uint16_t> leaf = cut_into_leaves<2>(
+    LargeArray<std::uint16_t> leaf = cut_into_leaves<2>(
         plan, n,
         [&](std::size_t i) {
             const Site site = sites[i];
             return std::array{site.x, site.y};
         },
         512, seed, workers);
-    plan.numbers = LargeArray<Index>(n);
-    std::iota(plan.numbers.begin(), plan.numbers.end(), 0);
-    const AlongCurve along(sites, plan.numbers, seed, workers);
+    plan.numbers = counted<Index>(workers, n);
+    AlongCurve along(sites, plan.numbers, seed, workers);
     if (with_ranks) plan.ranks = LargeArray<Index>(n);
     const std::size_t rounds = along.rounds();
     const std::vector<std::size_t> begins = deal(
@@ -103,6 +101,8 @@ Plan make_plan(const StridedSites& sites, int levels, std::uint64_t seed, const 
             if (with_ranks) plan.ranks[place] = static_cast<Index>(k);
         });
     for (std::size_t l = 0; l <= plan.leaves(); ++l) plan.begins.push_back(begins[l * rounds]);
+    give_back(workers, leaf);
+    along.give_back(workers);
     return plan;
 }
 

@@ -54,8 +54,7 @@ class Construction {
         SpaceTessellation result;
         result.sites = static_cast<std::int64_t>(sites_.size());
         if (sites_.empty()) return result;
-        LargeArray<Index> order(sites_.size());
-        std::iota(order.begin(), order.end(), 0);
+        LargeArray<Index> order = counted<Index>(workers_, sites_.size());
         if (levels_ > 0 && build_in_parts(order)) {
             result.dimension = 3;
         } else {

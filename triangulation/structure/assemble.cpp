@@ -160,14 +160,10 @@ void assemble(Topology topology, std::span<const Index> number, std::span<const 
                                     across(Topology::previous(turned.first)), across(turned.first)};
             from[i] = static_cast<Index>(f);
         });
+    topology.give_back(workers);
     LargeArray<Index> place(slots);
     const std::size_t groups = std::min(blocks, 8 * static_cast<std::size_t>(workers.count()));
-    workers.each(groups + 1, [&](std::size_t task) {
-        if (task == 0) {
-            topology = Topology(0);  // to give memory back takes its time, too
-            return;
-        }
-        const std::size_t group = task - 1;
+    workers.each(groups, [&](std::size_t group) {
         const auto sort = std::make_unique<BlockSort>(rank.size());
         for (std::size_t b = blocks * group / groups; b < blocks * (group + 1) / groups; ++b) {
             const std::size_t first = starts[b];
@@ -188,6 +184,7 @@ void assemble(Topology topology, std::span<const Index> number, std::span<const 
         for (std::size_t i = begin; i < end; ++i)
             for (Index& f : result.neighbours[i]) f = place[at(f)];
     });
+    give_back(workers, from, place, numbers);
 }
 
 }  // namespace signum::triangulation

@@ -237,6 +237,7 @@ void sort_along_curve(std::span<std::uint64_t> keys, const CurveKeys& layout, co
         LargeArray<std::uint64_t> room(n);
         sort_by_digit(keys, room, rest, digit, workers);
         sort_by_digit(room, keys, rest + digit, digit, workers);
+        give_back(workers, room);
     }
     // Ranges end where such ones do; found before any is sorted, for that may change their keys.
     const auto are_together = [&](std::size_t i, std::size_t k) {

@@ -37,12 +37,12 @@ AlongCurve::AlongCurve(const StridedSites& sites, std::span<const Index> numbers
 }
 
 LargeArray<Index> ranks_along_curve(const StridedSites& sites, const Workers& workers) {
-    LargeArray<Index> numbers(sites.size());
-    std::iota(numbers.begin(), numbers.end(), 0);
-    const AlongCurve along(sites, numbers, 1, workers);
+    LargeArray<Index> numbers = counted<Index>(workers, sites.size());
+    AlongCurve along(sites, numbers, 1, workers);
     workers.each_range(along.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) numbers[along.place(k)] = static_cast<Index>(k);
     });
+    along.give_back(workers);
     return numbers;
 }
 

@@ -25,6 +25,9 @@ class AlongCurve {
     AlongCurve(const StridedSites& sites, std::span<const Index> numbers, std::uint64_t seed,
                const Workers& workers);
 
+    /// Nothing is asked any more.
+    void give_back(const Workers& workers) { signum::give_back(workers, keys_); }
+
     [[nodiscard]] std::size_t size() const noexcept { return keys_.size(); }
     /// Where the k-th one along the curve stands among the numbers.
     [[nodiscard]] std::size_t place(std::size_t k) const noexcept {

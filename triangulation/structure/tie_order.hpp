@@ -4,6 +4,7 @@
 #include <span>
 
 #include "../../core/index.hpp"
+#include "../../core/large_array.hpp"
 #include "../../core/parallel.hpp"
 #include "../../core/site.hpp"
 
@@ -19,3 +20,8 @@ struct alignas(32) RankedSite : Site {
 void rank(std::span<RankedSite> sites, std::span<const Index> original, const Workers& workers);
 
 }  // namespace signum::triangulation
+
+namespace signum {
+template <>
+inline constexpr bool begins_with_value<triangulation::RankedSite> = false;
+}  // namespace signum

@@ -72,6 +72,11 @@ class Topology {
         SIGNUM_EXPECTS(part.capacity_ <= capacity_);
         return part;
     }
+    /// Nothing is asked any more. Precondition: the structure is no window.
+    void give_back(const Workers& workers) {
+        signum::give_back(workers, own_);
+        *this = Topology(0);
+    }
     /// Takes all the room for faces: windows have filled it.
     void use_all() noexcept { faces_ = capacity_; }
 
