@@ -35,9 +35,10 @@ inline constexpr bool begins_with_value<power::Site> = false;
 template <>
 inline constexpr bool begins_with_value<power::Site3> = false;
 
-/// Which pages an array's memory comes in. Asked for large ones the system may stop to collect
-/// them, and a construction take twice its time by luck; what lives long and is read everywhere
-/// without end, as a simulation's balls, is far better off with them.
+/// Which pages an array's memory comes in: 4 KiB each, or 2 MiB. Where the system has no large ones
+/// at hand it stops to collect them, which may double the time of a construction: its arrays have
+/// ordinary ones. Balls of a simulation are read in any order for as long as it runs, and large
+/// pages, of which the processor can remember all, pay.
 enum class Pages { ordinary, large };
 
 template <class T, Pages pages>

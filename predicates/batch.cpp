@@ -9,21 +9,12 @@
 namespace signum::predicates::batch {
 namespace {
 
-/// Of the site as the view gives it, which says radius for whatever its third number is.
-template <class S>
-S site_of(const Site& site) noexcept {
-    if constexpr (std::same_as<S, Point>)
-        return {site.x, site.y};
-    else
-        return {site.x, site.y, site.r};
-}
-
 std::int8_t ask_ccw(const Questions<3>& of, std::size_t i) noexcept {
     return static_cast<std::int8_t>(signum::ccw(of.site(0, i), of.site(1, i), of.site(2, i)));
 }
 template <class S>
 std::int8_t ask_in_circle(const Questions<4>& of, std::size_t i) noexcept {
-    const auto site = [&](std::size_t m) { return site_of<S>(of.site(m, i)); };
+    const auto site = [&](std::size_t m) { return power::made_of<S>(of.site(m, i)); };
     return static_cast<std::int8_t>(power::in_circle(site(0), site(1), site(2), site(3)));
 }
 

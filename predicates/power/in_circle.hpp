@@ -69,17 +69,21 @@ template <class Number>
     return {in_circle_determinant(a, b, c), in_circle_error * determinant_magnitude(a, b, c)};
 }
 
-/// Decides almost every call. With h_m = |m-q|² + |w_m - w_q| and s = h_i + h_j + h_k the magnitude
-/// of the determinant is at most h_i h_j + h_j h_k + h_k h_i <= s²/3, since |x_j y_k| + |x_k y_j|
-/// is at most
+/// Decides almost every call.
+///
+/// *Bound.* With h_m = |m-q|² + |w_m - w_q| and s = h_i + h_j + h_k the magnitude of the determinant
+/// is at most h_i h_j + h_j h_k + h_k h_i <= s²/3, since |x_j y_k| + |x_k y_j| is at most
 /// (|j-q|² + |k-q|²)/2; and 13e/3 < 5e. The bound is coarse for slivers, but it costs a few
 /// operations where the magnitude itself would cost twenty; that one is asked next (in_circle.cpp).
-/// Underflow: each product commits at most 2^-1074 more, so a minor at most 2^-1073, a lifted
-/// height 3·2^-1074, and the determinant at most 2^-1071 (s + 1). Overflow: no term and no partial
-/// sum of the determinant exceeds s²/2, so that where one overflows s² has, and the comparison
-/// fails.
-/// Who knows a power of two u, u⁴ at least 2^-960, of which all coordinates and radii are
-/// multiples, and of whose square all weights are, gives 4u⁴ for `exact_below`: a smaller bound
+///
+/// *Underflow.* Each product commits at most 2^-1074 more, so a minor at most 2^-1073, a lifted
+/// height 3·2^-1074, and the determinant at most 2^-1071 (s + 1).
+///
+/// *Overflow.* No term and no partial sum of the determinant exceeds s²/2, so that where one
+/// overflows s² has, and the comparison fails.
+///
+/// *On a grid.* Who knows a power of two u, u⁴ at least 2^-960, of which all coordinates and radii
+/// are multiples, and of whose square all weights are, gives 4u⁴ for `exact_below`: a smaller bound
 /// says that nothing was rounded, so that the sign is certain, 0 too. For then 5e s² < 4u⁴ but for
 /// roundings far smaller than the rest, s² < 2^52 u⁴, and s < 2^26 u². No difference was rounded:
 /// one that is not a double exceeds 2^53 u, and s the square of that, or a factor of a weight does,

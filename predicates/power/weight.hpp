@@ -30,6 +30,16 @@ template <PowerSite S>
     return {s.x, s.y};
 }
 
+/// A site of the kind S, of one as a view gives it, which says radius for whatever its third number
+/// is.
+template <PowerSite S>
+[[nodiscard]] inline S made_of(const signum::Site& site) noexcept {
+    if constexpr (std::same_as<S, Point>)
+        return {site.x, site.y};
+    else
+        return {site.x, site.y, site.r};
+}
+
 }  // namespace signum::power
 
 SIGNUM_IEEE_END

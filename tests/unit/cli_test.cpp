@@ -520,7 +520,8 @@ TEST_F(Tool, WritesEveryFormatToStandardOutput) {
 TEST_F(Tool, RefusesOutputsThatCannotBeMeant) {
     expect(triangulate({"-o", "a.txt"}), 2,
            "signum: -o a.txt: the ending says what to write; give it .json, .svg, .png, .pdf, "
-           ".csv, .obj, .ply, .vtk, .vtp, .vtu, .node, .ele or .neigh, or say it with --format\n");
+           ".csv, .npy, .i32, .obj, .ply, .vtk, .vtp, .vtu, .node, .ele or .neigh, or say it with "
+           "--format\n");
     expect(triangulate({"-o", "a.json", "-o", "a.json"}), 2,
            "signum: -o a.json is given twice; give it once\n");
     const std::string csv = scratch.file("sites.csv", "0,0\n");
@@ -624,8 +625,8 @@ TEST_F(Tool, Generates) {
     const std::string svg = scratch.path("s.svg");
     expect({"generate", "circle", "-n", "3", "-o", svg}, 2,
            "signum: -o " + svg +
-               ": the ending says what to write; give it .txt, .csv or .json, or say it with "
-               "--format\n");
+               ": the ending says what to write; give it .txt, .csv, .json, .npy or .f64, or say it "
+               "with --format\n");
     EXPECT_FALSE(std::filesystem::exists(svg));
     EXPECT_EQ(run({"generate", "circle", "-n", "3", "-o", svg, "--format", "text"}).code, 0);
     EXPECT_NE(run({"generate", "random", "-n", "3"}).out,

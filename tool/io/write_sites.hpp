@@ -13,8 +13,9 @@ enum class SitesFormat : std::uint8_t {
     text,  ///< x y r, in space x y z r, one site a line
     csv,   ///< a header x,y,r or x,y,z,r, then one site a line
     json,  ///< [[x, y, r], ...] or [[x, y, z, r], ...]
-    npy,   ///< an array of NumPy's, a row a site
-    f64,   ///< the same without a head
+    /// An array of NumPy's, a row a site; and the same without a head.
+    npy,
+    f64,
     /// Triangle's, in space TetGen's: all sites with their radius or weight as the only attribute
     /// and without boundary markers.
     node

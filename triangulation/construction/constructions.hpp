@@ -45,7 +45,7 @@ LargeArray<S> in_order(const StridedSites& input, std::span<const Index> origina
             if constexpr (std::is_same_v<S, RankedSite>)
                 sites[i] = {site, 0};
             else
-                sites[i] = made_of<S>(site);
+                sites[i] = power::made_of<S>(site);
         }
     });
     return sites;

@@ -13,8 +13,8 @@
 namespace signum::triangulation {
 
 /// u⁴ of the greatest power of two u of which all coordinates are multiples, and of whose square
-/// all weights are; without `weighted` third numbers do not matter. 0 where u is so small beside
-/// the sites' extent, or so large or small as a number, that knowing it is of no use. O(n), and
+/// all weights are, but 2^240 at most; without `weighted` third numbers do not matter. 0 where the
+/// extent of the sites is beyond 2^40 u, or u below 2^-240: knowing it is of no use then. O(n), and
 /// nearly nothing for sites that lie on no grid.
 [[nodiscard]] inline double fourth_power_of_grid_unit(const StridedSites& sites, bool weighted) {
     constexpr int far = 40;     // bits from the unit to the extent

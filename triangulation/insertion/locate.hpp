@@ -19,8 +19,8 @@ template <class Kernel>
 [[nodiscard]] Index locate(const Topology& topology, Kernel& kernel, Index start, Index q) {
     HalfEdge h = topology.is_infinite(start) ? topology.twin(topology.finite_edge(start))
                                              : Topology::first_edge(start);
-    // Of the edges through which the walk comes it knows that q lies on their left; of this one
-    // not.
+    // An edge that the walk has crossed has q on its left. The first one is not crossed: which side
+    // q is on is asked.
     if (kernel.ccw(topology.origin(h), topology.target(h), q) < 0) h = topology.twin(h);
     for (Index steps = topology.faces(); Kernel::is_exact || steps >= 0; --steps) {
         const Index apex = topology.apex(h);

@@ -17,15 +17,6 @@
 
 namespace signum::triangulation {
 
-/// A site of the kind S, of one that may have more.
-template <power::PowerSite S>
-[[nodiscard]] S made_of(const Site& site) noexcept {
-    if constexpr (std::is_same_v<S, Point>)
-        return {site.x, site.y};
-    else
-        return {site.x, site.y, site.r};
-}
-
 /// The signs that a construction asks for, none of them perturbed.
 template <power::PowerSite S, Arithmetic arithmetic = Arithmetic::exact>
 struct PowerSigns {
@@ -160,7 +151,7 @@ class PowerKernel {
     /// third number is what weight() says of a site.
     [[nodiscard]] bool would_be_nearer(Index q, const Site& a, Index b) noexcept {
         tally_.count_nearer();
-        return nearer_sign(centre(q), made_of<S>(a), site(b)) >= 0;
+        return nearer_sign(centre(q), power::made_of<S>(a), site(b)) >= 0;
     }
     /// The third number of a site, without its sign where that does not matter: the greater, the
     /// nearer the site is to everything.
