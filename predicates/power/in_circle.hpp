@@ -71,8 +71,9 @@ template <class Number>
 
 /// Decides almost every call.
 ///
-/// *Bound.* With h_m = |m-q|² + |w_m - w_q| and s = h_i + h_j + h_k the magnitude of the determinant
-/// is at most h_i h_j + h_j h_k + h_k h_i <= s²/3, since |x_j y_k| + |x_k y_j| is at most
+/// *Bound.* With h_m = |m-q|² + |w_m - w_q| and s = h_i + h_j + h_k the magnitude of the
+/// determinant is at most h_i h_j + h_j h_k + h_k h_i <= s²/3, since |x_j y_k| + |x_k y_j| is at
+/// most
 /// (|j-q|² + |k-q|²)/2; and 13e/3 < 5e. The bound is coarse for slivers, but it costs a few
 /// operations where the magnitude itself would cost twenty; that one is asked next (in_circle.cpp).
 ///

@@ -623,10 +623,11 @@ TEST_F(Tool, Generates) {
         EXPECT_EQ(contents(text), outcome.out) << name;
     }
     const std::string svg = scratch.path("s.svg");
-    expect({"generate", "circle", "-n", "3", "-o", svg}, 2,
-           "signum: -o " + svg +
-               ": the ending says what to write; give it .txt, .csv, .json, .npy or .f64, or say it "
-               "with --format\n");
+    expect(
+        {"generate", "circle", "-n", "3", "-o", svg}, 2,
+        "signum: -o " + svg +
+            ": the ending says what to write; give it .txt, .csv, .json, .npy or .f64, or say it "
+            "with --format\n");
     EXPECT_FALSE(std::filesystem::exists(svg));
     EXPECT_EQ(run({"generate", "circle", "-n", "3", "-o", svg, "--format", "text"}).code, 0);
     EXPECT_NE(run({"generate", "random", "-n", "3"}).out,
