@@ -17,20 +17,23 @@ namespace signum::exact {
 
 using Integer128 = __int128;
 
-/// An offset: a product of two is one of 128 bits, as Square takes it.
-template <class Square>
+/// An offset: a product of two is one of 128 bits, as Square takes it, and one of three as Cube.
+template <class Square, class Cube = Integer128>
 struct Word {
     std::int64_t value;
 
     friend Square operator*(Word a, Word b) noexcept {
         return Square{Integer128{a.value} * b.value};
     }
-    friend Integer128 operator*(Word a, Integer128 b) noexcept { return a.value * b; }
+    friend Cube operator*(Word a, Integer128 b) noexcept { return Cube{a.value} * Cube{b}; }
 };
 
-/// A sum of products of two integers below 2^124 in magnitude: two words of 128 bits.
+/// An integer below 2^255 in magnitude: two words of 128 bits, in two's complement.
 class Integer256 {
  public:
+    // NOLINTNEXTLINE(google-explicit-constructor): an integer stays what it is
+    Integer256(Integer128 a) noexcept : low_(static_cast<Half>(a)), high_(a < 0 ? -1 : 0) {}
+    /// The product of two below 2^124.
     Integer256(Integer128 a, Integer128 b) noexcept {
         const auto magnitude_of = [](Integer128 x) {
             return x < 0 ? -static_cast<Half>(x) : static_cast<Half>(x);
@@ -51,12 +54,27 @@ class Integer256 {
         a += {b.low_, b.high_};
         return a;
     }
+    friend Integer256 operator-(const Integer256& a, const Integer256& b) noexcept {
+        return {a.low_ - b.low_, static_cast<Half>(a.high_) - static_cast<Half>(b.high_) -
+                                     (a.low_ < b.low_ ? 1 : 0)};
+    }
+    /// What is above 2^256 of the product of words as they stand is lost, and is that of signs.
+    friend Integer256 operator*(const Integer256& a, const Integer256& b) noexcept {
+        const auto low_of = [](Half x) { return Half{static_cast<std::uint64_t>(x)}; };
+        const Half both_low = low_of(a.low_) * low_of(b.low_);
+        const Half first = low_of(a.low_) * (b.low_ >> 64) + (both_low >> 64);
+        const Half second = (a.low_ >> 64) * low_of(b.low_) + low_of(first);
+        return {second << 64 | low_of(both_low),
+                (a.low_ >> 64) * (b.low_ >> 64) + (first >> 64) + (second >> 64) +
+                    a.low_ * static_cast<Half>(b.high_) + static_cast<Half>(a.high_) * b.low_};
+    }
     [[nodiscard]] Sign sign() const noexcept {
         return high_ < 0 ? -1 : static_cast<Sign>(high_ > 0 || low_ > 0);
     }
 
  private:
     using Half = unsigned __int128;
+    Integer256(Half low, Half high) noexcept : low_(low), high_(static_cast<Integer128>(high)) {}
     struct Halves {
         Half low;
         Integer128 high;

@@ -44,8 +44,9 @@ static_assert(refined_in_sphere_error >= 2 * 12 * filters::double_double_epsilon
 
 /// All stages, which share rows and magnitude. Differences to q are below 2^60: heights are below
 /// 2^123, minors of two rows below 2^121 and of three below 2^183, and the sum of four products
-/// below 2^308. Divided by 2^40 all is below 2^108: such integers are faster than double-doubles,
-/// and these than wide ones.
+/// below 2^308. Divided by 2^40 all is below 2^108. Divided by 2^12, as most sites of a grid that
+/// was rounded can be, heights are below 2^99, minors below 2^97 and 2^147, and the sum is below
+/// 2^248. Either takes less time than double-doubles, and these less than wider integers.
 struct Within {
     template <class Offset, class Weight>
     [[nodiscard]] static auto determinant(const exact::IntegerRows<3>& rows) noexcept {
@@ -69,10 +70,14 @@ struct Within {
             return {verdict.sign(), Stage::filter};
         if (are_corners_of_a_box(i, j, k, l, q)) return {0, Stage::exact};
         exact::IntegerRows<3> rows({&i, &j, &k, &l}, q);
+        using exact::Integer128;
         if (rows.are_exact() && rows.divide_by_power_of_two(40)) {
-            using exact::Integer128;
             const auto narrow = determinant<exact::Word<Integer128>, Integer128>(rows);
             return {(narrow > 0) - (narrow < 0), Stage::exact};
+        }
+        if (rows.are_exact() && rows.divide_by_power_of_two(12)) {
+            using Offset = exact::Word<Integer128, exact::Integer256>;
+            return {determinant<Offset, Integer128>(rows).sign(), Stage::exact};
         }
         filters::DoubleDouble refined;
         as_wide_as_possible([&]() __attribute__((always_inline)) {
