@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
@@ -73,6 +74,9 @@ void expect_exact_signs() {
         }
         if (trial % 3 == 0) s[4].x += 1.0;
         if (trial % 3 == 1) s[4].z -= static_cast<double>(random() % 3);
+        const Sign turn = ccw(centre3(s[0]), centre3(s[1]), centre3(s[2]), centre3(s[3]));
+        if (turn == 0) continue;
+        if (turn < 0) std::swap(s[0], s[1]);
         const auto answer = power::in_sphere_decision(s[0], s[1], s[2], s[3], s[4]);
         const Decision expected = predicates::decide<Arithmetic::multiprecision, power::InSphere>(
             s[0], s[1], s[2], s[3], s[4]);
