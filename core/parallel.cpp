@@ -3,7 +3,6 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <mutex>
@@ -118,10 +117,6 @@ class Order {
 #endif
 };
 
-}  // namespace
-
-namespace {
-
 /// Whether so many more threads can be started: that many are, and do nothing; and for each there
 /// are the addresses that its stack takes and, for a while, the C library for its memory.
 bool can_start(int count) {
@@ -221,8 +216,8 @@ struct Workers::Threads {
 };
 
 namespace {
-int startable(int /*count*/) noexcept {
-    return 1;
+int startable(int count) noexcept {
+    return count;  // by one after the other
 }
 }  // namespace
 

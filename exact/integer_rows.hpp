@@ -58,7 +58,7 @@ class Integer256 {
         return {a.low_ - b.low_, static_cast<Half>(a.high_) - static_cast<Half>(b.high_) -
                                      (a.low_ < b.low_ ? 1 : 0)};
     }
-    /// What is above 2^256 of the product of words as they stand is lost, and is that of signs.
+    /// By the words as they stand, modulo 2^256: that is the product wherever it is below 2^255.
     friend Integer256 operator*(const Integer256& a, const Integer256& b) noexcept {
         const auto low_of = [](Half x) { return Half{static_cast<std::uint64_t>(x)}; };
         const Half both_low = low_of(a.low_) * low_of(b.low_);

@@ -69,8 +69,8 @@ struct Options {
     Order order = Order::index;
     /// How many threads work, the calling one among them: 0 for as many cores as the process may
     /// use; below some thousand sites one, and fewer where so many cannot be started. 1024 at most:
-    /// std::invalid_argument with others, or with fewer than 0. An arithmetic that rounds, `count`, and the loops of
-    /// flips and sweep stay on one.
+    /// std::invalid_argument with others, or with fewer than 0. An arithmetic that rounds, `count`,
+    /// and the loops of flips and sweep stay on one.
     int threads = 0;
     /// Fill the counters of Statistics; costs up to a fifth of the time.
     bool count = false;
