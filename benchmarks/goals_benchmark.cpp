@@ -20,9 +20,17 @@
 
 #include "../core/parallel.hpp"
 #include "../tool/generate/generate.hpp"
+#include "../tool/io/output_file.hpp"
+#include "../tool/io/read_sites.hpp"
+#include "../tool/io/threads.hpp"
+#include "../tool/io/write_sites.hpp"
+#include "../tool/io/write_tessellation.hpp"
 #include "../triangulation/space/triangulate.hpp"
 #include "../triangulation/triangulate.hpp"
 #include "../triangulation/validate.hpp"
+#include "../voronoi/balls/diagram.hpp"
+#include "../voronoi/clip.hpp"
+#include "../voronoi/space/cells.hpp"
 
 #include "cgal_constructions.hpp"
 #include "measuring.hpp"
@@ -121,12 +129,23 @@ Prepare cgals(Distribution distribution, std::int64_t count, double radius,
         };
     };
 }
+std::vector<Site3> balls_of(SpaceDistribution distribution, std::int64_t count, double radius) {
+    const double spacing = 700.0 / std::cbrt(static_cast<double>(count));
+    return generate(distribution, {.count = count, .radius_to = radius * spacing});
+}
+
+/// Gone when the process ends.
+int nameless_file() {
+    char name[] = "/tmp/goals_XXXXXX";
+    const int file = ::mkstemp(name);
+    ::unlink(name);
+    return file;
+}
+
 Prepare in_space(SpaceDistribution distribution, std::int64_t count, double radius, bool by_cgal,
                  int threads) {
     return [=]() -> std::function<void()> {
-        const double spacing = 700.0 / std::cbrt(static_cast<double>(count));
-        std::vector<Site3> sites =
-            generate(distribution, {.count = count, .radius_to = radius * spacing});
+        std::vector<Site3> sites = balls_of(distribution, count, radius);
         if (by_cgal)
             return [construct = cgal::in_space(sites, radius > 0.0)] {
                 static_cast<void>(construct());
@@ -157,6 +176,54 @@ void threads(Table& table, std::int64_t n) {
                 };
             };
         });
+    goal(fmt::format("diagram of {} random balls", n / 100), [&](int count) -> Prepare {
+        return [=]() -> std::function<void()> {
+            return [balls = balls_of(SpaceDistribution::random, n / 100, 0.4), count] {
+                static_cast<void>(ball_diagram(balls, {.threads = count}));
+            };
+        };
+    });
+    goal(fmt::format("areas of {} cells of the plane", n), [&](int count) -> Prepare {
+        return [=]() -> std::function<void()> {
+            return [built = triangulate(sites_of(Distribution::random, n, 0.4), Power{}), count] {
+                const Voronoi voronoi(built, {.merge = false, .threads = count});
+                const ClippedVoronoi clipped(voronoi, {0.0, 0.0, 700.0, 700.0},
+                                             Lengths::of_the_plane, count);
+                static_cast<void>(measures(clipped, count));
+            };
+        };
+    });
+    goal(fmt::format("volumes of {} cells of space", n / 10), [&](int count) -> Prepare {
+        return [=]() -> std::function<void()> {
+            auto balls = balls_of(SpaceDistribution::random, n / 10, 0.4);
+            auto built = triangulate(balls, Power{});
+            return [balls = std::move(balls), built = std::move(built), count] {
+                static_cast<void>(space_cells(built, balls, default_box(balls), count));
+            };
+        };
+    });
+    goal(fmt::format("{} sites of text read", n), [&](int count) -> Prepare {
+        return [=]() -> std::function<void()> {
+            const int file = nameless_file();
+            DescriptorStream out(file, "sites");
+            write_sites(out, sites_of(Distribution::random, n, 0.4), SitesFormat::text);
+            out.flush();
+            return [file, count] {
+                threads_of_files = count;
+                static_cast<void>(read_sites(fmt::format("/proc/self/fd/{}", file), {}));
+            };
+        };
+    });
+    goal(fmt::format("faces of {} sites written as JSON", n), [&](int count) -> Prepare {
+        return [=]() -> std::function<void()> {
+            return [built = triangulate(sites_of(Distribution::random, n, 0.4), Power{}), count] {
+                threads_of_files = count;
+                DescriptorStream out(nameless_file(), "faces");
+                write_json(out, built);
+                out.flush();
+            };
+        };
+    });
 }
 
 constexpr Distribution distributions[] = {

@@ -26,7 +26,7 @@ if command -v node >/dev/null && command -v npm >/dev/null; then
   npm install --prefix "$build/npm" --no-audit --no-fund --silent \
     "delaunator@$delaunator_version" >&2
   robust=$(node -p "require('$(realpath "$build")/npm/node_modules/robust-predicates/package.json').version")
-  options=(--delaunator "node benchmarks/peer_delaunator.mjs '$build/npm'")
+  options=(--delaunator "node benchmarks/peer_delaunator.mjs '$(realpath "$build")/npm'")
   versions+=("delaunator $delaunator_version" "robust-predicates $robust" "node $(node --version)")
 fi
 
