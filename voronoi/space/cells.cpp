@@ -39,7 +39,8 @@ class Measuring {
                 add_to_second(cut);
             });
         } else {
-            // Of so many sites at a time: their faces stay near the processor, and in little memory.
+            // Of so many sites at a time: their faces stay near the processor, and in little
+            // memory.
             constexpr std::size_t at_a_time = std::size_t{1} << 14;
             std::vector<SpaceFaces> own;
             std::vector<Stretch> stretches;
