@@ -65,6 +65,12 @@ class Bytes {
         }
         return count;
     }
+    /// Passes over so many.
+    void skip(std::uint64_t bytes) {
+        const auto ahead = std::min<std::uint64_t>(bytes, block_.size());
+        block_.remove_prefix(ahead);
+        file_.skip(bytes - ahead);
+    }
 
  private:
     InputFile& file_;
@@ -170,12 +176,20 @@ class ArraySites {
         constexpr auto too_many = static_cast<std::uint64_t>(max_sites) + 1;  // the caller says so
         rows_ = std::min(head.shape[0], too_many);
         if (rows_ == 0) fail("no site in this file");
+        const bool is_share = options_.share.of > 1;
+        if (is_share) {
+            if (head.is_by_columns)
+                fail(
+                    "an array by columns; shares of one by rows are read: save "
+                    "numpy.ascontiguousarray(array)");
+            take_share(head.shape[0]);
+        }
         if (head.is_by_columns)
             read_columns();
         else
             read_rows();
         char more = 0;
-        if (rows_ < too_many && bytes_.read(&more, 1) > 0)
+        if (!is_share && rows_ < too_many && bytes_.read(&more, 1) > 0)
             fail(fmt::format("bytes beyond the array of shape ({}, {})", rows_, columns_));
         return finished();
     }
@@ -185,9 +199,18 @@ class ArraySites {
         choose_columns(options_.dimension == 3 ? 4 : 3);
         rows_ =
             static_cast<std::uint64_t>(max_sites) + 1;  // the caller says that these are too many
-        is_open_ = true;
+        is_open_ = options_.share.of == 1;
+        if (!is_open_) {
+            const std::uint64_t row = columns_ * type_->bytes;
+            const std::uint64_t bytes = file_.size().value_or(0);
+            if (bytes % row != 0) {
+                is_open_ = true;
+                fail_within(bytes / row);
+            }
+            take_share(bytes / row);
+        }
         read_rows();
-        if (size() == 0) fail("no site in this file");
+        if (size() == 0 && is_open_) fail("no site in this file");
         return finished();
     }
 
@@ -295,14 +318,26 @@ class ArraySites {
         number(row, fields_[column]) = value;
     }
     /// Rows for lines.
-    [[nodiscard]] static Position place(std::size_t row, std::size_t column) {
-        return {static_cast<std::int64_t>(row) + 1, static_cast<std::int64_t>(column) + 1};
+    [[nodiscard]] Position place(std::size_t row, std::size_t column) const {
+        return {static_cast<std::int64_t>(result_.first_row + row) + 1,
+                static_cast<std::int64_t>(column) + 1};
     }
     void add_row() {
         if (result_.dimension == 3)
             result_.in_space.emplace_back();
         else
             result_.sites.emplace_back();
+    }
+
+    /// Goes to the rows of the share.
+    void take_share(std::uint64_t rows) {
+        const auto& [number, of] = options_.share;
+        const auto row_of = [&](std::uint64_t k) {
+            return static_cast<std::uint64_t>(static_cast<unsigned __int128>(rows) * k / of);
+        };
+        result_.first_row = row_of(number);
+        rows_ = row_of(number + 1) - result_.first_row;
+        bytes_.skip(result_.first_row * columns_ * type_->bytes);
     }
 
     void read_rows() {
@@ -333,7 +368,8 @@ class ArraySites {
                 "the file ends within site {}, which has {} bytes: {} doubles; if it is "
                 "text, add --read-as text",
                 row, columns_ * type_->bytes, columns_));
-        fail(fmt::format("the file ends in row {} of {}", row + 1, rows_));
+        fail(fmt::format("the file ends in row {} of {}", result_.first_row + row + 1,
+                         result_.first_row + rows_));
     }
     SitesFile finished() {
         std::array<double, 4> numbers{};

@@ -189,6 +189,19 @@ std::string_view InputFile::lines_ahead(std::size_t most) {
     return ahead.substr(0, ahead.rfind('\n') + 1);
 }
 
+std::optional<std::uint64_t> InputFile::size() const {
+    struct stat status = {};
+    if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    return static_cast<std::uint64_t>(status.st_size);
+}
+
+void InputFile::skip(std::uint64_t bytes) {
+    const auto ahead = std::min<std::uint64_t>(bytes, end_ - begin_);
+    begin_ += ahead;
+    if (bytes > ahead && ::lseek(descriptor_, static_cast<off_t>(bytes - ahead), SEEK_CUR) < 0)
+        throw MachineError(fmt::format("cannot read {}: {}", path_, std::strerror(errno)));
+}
+
 std::string_view InputFile::next_block() {
     if (begin_ == end_) {
         fill();

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,6 +68,10 @@ class InputFile {
     /// The next bytes, at most one block, valid until the next call; empty at the end. Not to be
     /// mixed with next_line().
     [[nodiscard]] std::string_view next_block();
+    /// How many bytes the file has; nothing where that is not known, as of a pipe.
+    [[nodiscard]] std::optional<std::uint64_t> size() const;
+    /// Passes over so many bytes of what next_block() gives. Precondition: the file has a size.
+    void skip(std::uint64_t bytes);
 
     /// Throws an InputError of this file.
     [[noreturn]] void fail(Position position, std::string_view message) const;

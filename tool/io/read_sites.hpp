@@ -72,9 +72,15 @@ struct ReadOptions {
     SitesInput input = SitesInput::text;
     /// Whether the attributes of text and nodes are read, too.
     bool attributes = false;
+    /// Of the rows of an array one share of so many, the shares in order; all else is read whole.
+    /// The file has to have a size.
+    struct Share {
+        std::uint64_t number = 0;
+        std::uint64_t of = 1;
+    } share = {};
 };
 
-/// At least one site, all numbers finite; r is a radius or a weight, as the user of the file says.
+/// At least one site, unless a share of many was asked for; all numbers finite; r is a radius or a weight, as the user of the file says.
 struct SitesFile {
     int dimension = 2;
     std::vector<Site> sites;      ///< in the plane
@@ -90,6 +96,8 @@ struct SitesFile {
     std::optional<Position> first_beyond_single;
     /// Those that were asked for.
     std::vector<Attribute> attributes;
+    /// By its row, the first of a share.
+    std::uint64_t first_row = 0;
     /// By what a file of nodes numbers the first one: 0 or 1.
     int first_number = 0;
     /// What was left out, in a sentence, where a file has what may have been meant, such as a third

@@ -18,8 +18,9 @@
 /// None of this asks how many sites there are: edges between the same sites with the same sites
 /// across them are told apart (docs/other-metrics.md).
 
+#include <array>
+
 #include "../../core/index.hpp"
-#include "../structure/topology.hpp"
 
 namespace signum::triangulation {
 
@@ -64,13 +65,14 @@ template <class Kernel>
     return k != l && kernel.precedes_on_bisector(i, j, l, k);
 }
 
-/// Whether both vertices of q on the bisector of h's two sites lie on the edge h, both of whose
-/// ends q takes (`taken`) or neither: then q leaves, or takes, no more than its middle.
+/// Whether both vertices of q on the bisector of an edge's two sites lie on the edge, both of whose
+/// ends q takes (`taken`) or neither: then q leaves, or takes, no more than its middle. `about`:
+/// i, j, k, l (Topology::about()).
 template <class Kernel>
-[[nodiscard]] bool ends_within(const Topology& topology, Kernel& exact, HalfEdge h, Index q,
+[[nodiscard]] bool ends_within(const std::array<Index, 4>& about, Kernel& exact, Index q,
                                bool taken) {
     ExtendedKernel<Kernel> kernel(exact);
-    const auto [i, j, k, l] = topology.about(h);
+    const auto [i, j, k, l] = about;
     if (!kernel.exist_twice(i, j, q)) return false;
     if (kernel.conflicts(j, i, q, k) || kernel.conflicts(j, i, q, l)) return false;
     // The other stretch runs from vertex (j, i, from) to (i, j, to). Visible sites exist twice with

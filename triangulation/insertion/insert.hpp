@@ -230,7 +230,7 @@ class Insertion {
         };
         // The same with the middle of an edge between two faces not in conflict.
         const auto ends_within_edge = [&](HalfEdge h) {
-            if (!ends_within(topology_, kernel_, h, q, false)) return false;
+            if (!ends_within(topology_.about(h), kernel_, q, false)) return false;
             cut(h);
             return found = true;
         };
@@ -303,7 +303,7 @@ class Insertion {
     void push(const Topology::Record& record, unsigned k, bool conflict, Index q) {
         const HalfEdge across = record.twin[k];
         if constexpr (!Kernel::is_straight)
-            conflict = conflict && !ends_within(topology_, kernel_, across, q, true);
+            conflict = conflict && !ends_within(topology_.about(across), kernel_, q, true);
         pending_.push({across, record.vertex[k], conflict});
     }
 

@@ -51,8 +51,9 @@ struct Orthoball {
         ball.square = ball.square * (1.0 + slop) - weight + slop * fabs(weight);
         return ball;
     }
-    /// Whether a site in the box may be nearer to the point than its power says.
-    [[nodiscard]] bool may_be_reached_from(const Box<D>& box) const noexcept {
+    /// By how much the sites in the box are farther from the point than its power says, less what
+    /// rounding may have made of it: above 0 where none of them is nearer.
+    [[nodiscard]] double excess(const Box<D>& box) const noexcept {
         double least_square = 0.0;
         for (std::size_t axis = 0; axis < D; ++axis) {
             const double c = centre[axis];
@@ -61,7 +62,11 @@ struct Orthoball {
             least_square += distance * distance;
         }
         const double slack = std::fabs(square) + std::fabs(box.greatest);
-        return !(least_square * (1.0 - slop) > (square + box.greatest) + (slop * slack + least));
+        return least_square * (1.0 - slop) - ((square + box.greatest) + (slop * slack + least));
+    }
+    /// Whether a site in the box may be nearer to the point than its power says.
+    [[nodiscard]] bool may_be_reached_from(const Box<D>& box) const noexcept {
+        return !(excess(box) > 0.0);
     }
 };
 

@@ -63,6 +63,42 @@ struct Crossing {
     Box<2> beyond;
 };
 
+/// The circle of a face in the power metric.
+///
+/// The vertex solves b·p = H_b / 2, c·p = H_c / 2 with H = |b|² - (w_b - w_a), relative to the
+/// first site. A product H_b c_y is in error by at most 12 · 2^-53 h_b |c_y|, where h_b =
+/// |b|² + |w_b| + |w_a|; the area, if at least 2^-26 of the sum A of its terms' magnitudes,
+/// by 2^-25 of itself. So a coordinate is off by 2^-48 (h_b |c| + h_c |b|) / area + 2^-23 of
+/// itself at most, the first of which pays for the second order too.
+/// 2^-100 (|b| + |c|) pays for underflow where the area is above 2^-300. Then one of the
+/// offsets is above 2^-151. A height loses less than 2^-1071; times |c| / area that is below
+/// 2^-771 |c|. The two products and this bound lose less than 2^-1071; over the area that is
+/// below 2^-771, and so below 2^-620 (|b| + |c|).
+template <class S>
+[[nodiscard]] Orthoball<2> circle_of(const S& a, const S& b, const S& c) noexcept {
+    using std::fabs;
+    const double w = weight_of(a);
+    const double bx = b.x - a.x, by = b.y - a.y, bw = weight_of(b);
+    const double cx = c.x - a.x, cy = c.y - a.y, cw = weight_of(c);
+    const double b_square = bx * bx + by * by;
+    const double c_square = cx * cx + cy * cy;
+    const double b_height = b_square - (bw - w);
+    const double c_height = c_square - (cw - w);
+    const double area = bx * cy - cx * by;
+    const double half = 0.5 / area;
+    const double x = (b_height * cy - c_height * by) * half;
+    const double y = (c_height * bx - b_height * cx) * half;
+    const double b_most = b_square + (fabs(bw) + fabs(w));
+    const double c_most = c_square + (fabs(cw) + fabs(w));
+    const double b_length = fabs(bx) + fabs(by);
+    const double c_length = fabs(cx) + fabs(cy);
+    double error = 0x1p-48 * (b_most * c_length + c_most * b_length) / area +
+                   0x1p-23 * (fabs(x) + fabs(y)) + 0x1p-100 * (b_length + c_length);
+    if (!(area > 0x1p-26 * (fabs(bx * cy) + fabs(cx * by)) && area > 0x1p-300))
+        error = HUGE_VAL;
+    return Orthoball<2>::from({a.x, a.y}, w, {x, y}, error);
+}
+
 /// Faces of the power metric.
 template <class Kernel>
 class PowerReach {
@@ -95,40 +131,8 @@ class PowerReach {
         return is_on_line && at_edge(a, b).may_be_reached_from(box);
     }
 
-    /// The vertex solves b·p = H_b / 2, c·p = H_c / 2 with H = |b|² - (w_b - w_a), relative to the
-    /// first site. A product H_b c_y is in error by at most 12 · 2^-53 h_b |c_y|, where h_b =
-    /// |b|² + |w_b| + |w_a|; the area, if at least 2^-26 of the sum A of its terms' magnitudes,
-    /// by 2^-25 of itself. So a coordinate is off by 2^-48 (h_b |c| + h_c |b|) / area + 2^-23 of
-    /// itself at most, the first of which pays for the second order too.
-    /// 2^-100 (|b| + |c|) pays for underflow where the area is above 2^-300. Then one of the
-    /// offsets is above 2^-151. A height loses less than 2^-1071; times |c| / area that is below
-    /// 2^-771 |c|. The two products and this bound lose less than 2^-1071; over the area that is
-    /// below 2^-771, and so below 2^-620 (|b| + |c|).
     [[nodiscard]] Circle at_face(Index i, Index j, Index k) const noexcept {
-        using std::fabs;
-        const auto& a = kernel_.site(i);
-        const auto& b = kernel_.site(j);
-        const auto& c = kernel_.site(k);
-        const double w = weight_of(a);
-        const double bx = b.x - a.x, by = b.y - a.y, bw = weight_of(b);
-        const double cx = c.x - a.x, cy = c.y - a.y, cw = weight_of(c);
-        const double b_square = bx * bx + by * by;
-        const double c_square = cx * cx + cy * cy;
-        const double b_height = b_square - (bw - w);
-        const double c_height = c_square - (cw - w);
-        const double area = bx * cy - cx * by;
-        const double half = 0.5 / area;
-        const double x = (b_height * cy - c_height * by) * half;
-        const double y = (c_height * bx - b_height * cx) * half;
-        const double b_most = b_square + (fabs(bw) + fabs(w));
-        const double c_most = c_square + (fabs(cw) + fabs(w));
-        const double b_length = fabs(bx) + fabs(by);
-        const double c_length = fabs(cx) + fabs(cy);
-        double error = 0x1p-48 * (b_most * c_length + c_most * b_length) / area +
-                       0x1p-23 * (fabs(x) + fabs(y)) + 0x1p-100 * (b_length + c_length);
-        if (!(area > 0x1p-26 * (fabs(bx * cy) + fabs(cx * by)) && area > 0x1p-300))
-            error = HUGE_VAL;
-        return Circle::from({a.x, a.y}, w, {x, y}, error);
+        return circle_of(kernel_.site(i), kernel_.site(j), kernel_.site(k));
     }
     /// The point of the line through both sites from which both are as far.
     [[nodiscard]] Circle at_edge(Index from_site, Index to_site) const noexcept {

@@ -1,0 +1,217 @@
+#include "triangulate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <stdexcept>
+#include <string>
+
+#include "../core/insertion_rounds.hpp"
+#include "../triangulation/distributed/common.hpp"
+#include "../triangulation/distributed/cuts.hpp"
+#include "../triangulation/distributed/exchange.hpp"
+#include "../triangulation/distributed/site_store.hpp"
+#include "communicator.hpp"
+
+namespace signum::mpi {
+namespace {
+
+using namespace distributed;
+
+/// Ranks that ask one another, all at the same time.
+class RanksExchange final : public Exchange {
+ public:
+    RanksExchange(Communicator& ranks, const SiteStore& store) : ranks_(ranks), store_(store) {}
+
+    [[nodiscard]] std::vector<Answers> ask(std::vector<Questions> questions) override {
+        std::vector<Questions> coming(questions.size());
+        carry(questions, coming, &Questions::boxes);
+        carry(questions, coming, &Questions::faces);
+        carry(questions, coming, &Questions::edges);
+        carry(questions, coming, &Questions::hidden);
+        std::vector<Answers> answers(questions.size());
+        ranks_.together([&] {
+            for (std::size_t r = 0; r < coming.size(); ++r)
+                if (!coming[r].are_none()) answers[r] = store_.answer(coming[r]);
+        });
+        std::vector<Answers> result(questions.size());
+        carry(answers, result, &Answers::sites);
+        carry(answers, result, &Answers::nearest);
+        return result;
+    }
+    [[nodiscard]] bool is_for_any(bool own) override { return ranks_.most(own ? 1 : 0) != 0; }
+
+ private:
+    template <class Message, class T>
+    void carry(std::vector<Message>& to, std::vector<Message>& from,
+               std::vector<T> Message::*member) {
+        std::vector<std::vector<T>> lists;
+        for (Message& each : to) lists.push_back(std::move(each.*member));
+        std::vector<std::vector<T>> coming = ranks_.exchanged(lists);
+        for (std::size_t r = 0; r < from.size(); ++r) from[r].*member = std::move(coming[r]);
+    }
+
+    Communicator& ranks_;
+    const SiteStore& store_;
+};
+
+void check(std::span<const Placed> sites, Metric metric, WeightIs weight_is) {
+    if (weight_is == WeightIs::weight && !traits_of(metric).has_weights)
+        throw std::invalid_argument(no_weights(metric));
+    for (const auto& [site, id] : sites)
+        if (!std::isfinite(site.x) || !std::isfinite(site.y) || !std::isfinite(site.r))
+            throw std::invalid_argument("site " + std::to_string(id) + " is not finite");
+}
+
+/// Of all sites so many, as they come by their numbers; all of them where they are few.
+std::vector<Placed> sampled(Communicator& ranks, std::span<const Placed> own, std::int64_t whole,
+                            std::int64_t wanted) {
+    const double share = static_cast<double>(wanted) / static_cast<double>(whole);
+    std::vector<Placed> sample;
+    for (const Placed& each : own)
+        if (static_cast<double>(mix(static_cast<std::uint64_t>(each.id))) * 0x1p-64 < share)
+            sample.push_back(each);
+    sample = ranks.all_of<Placed>(sample);
+    std::ranges::sort(sample, {}, &Placed::id);
+    return sample;
+}
+
+std::vector<Placed> common_sites(Communicator& ranks, const SiteStore& store,
+                                 std::span<const Placed> sample, Metric metric,
+                                 WeightIs weight_is) {
+    Extent whole = no_extent();
+    const std::vector<Extent> extents = ranks.all_of<Extent>(std::array{store.extent()});
+    for (const Extent& each : extents)
+        if (!is_empty(each)) whole.include(each);
+    std::vector<Placed> own;
+    ranks.together([&] {
+        Farthest farthest(metric, whole);
+        farthest.include(sample);
+        own = endless_among(store, farthest);
+    });
+    std::vector<Placed> common;
+    const std::vector<Placed> candidates = ranks.all_of<Placed>(own);
+    ranks.together([&] { common = endless_of(candidates, metric, weight_is); });
+    ranks.together([&] { own = greatest_of(store.sites(), most_greatest, metric, weight_is); });
+    own = greatest_of(ranks.all_of<Placed>(own), most_greatest, metric, weight_is);
+    common.insert(common.end(), own.begin(), own.end());
+    std::ranges::sort(common, {}, &Placed::id);
+    const auto same = std::ranges::unique(common, {}, &Placed::id);
+    common.erase(same.begin(), same.end());
+    return common;
+}
+
+double processor_seconds() noexcept {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+}  // namespace
+
+RankTessellation triangulate(std::vector<Placed> sites, MPI_Comm comm, Metric metric,
+                             WeightIs weight_is) {
+    const double start = processor_seconds();
+    Communicator ranks(comm);
+    RankTessellation result;
+    ranks.together([&] { check(sites, metric, weight_is); });
+    result.whole = ranks.sum(static_cast<std::int64_t>(sites.size()));
+    if (result.whole == 0) throw NoStructure("no site");
+
+    const std::vector<Placed> sample = sampled(ranks, sites, result.whole, 65'536);
+    std::vector<Point> points;
+    for (const Placed& each : sample) points.push_back({each.site.x, each.site.y});
+    const Cuts cuts(std::move(points), ranks.size());
+    {
+        std::vector<std::vector<Placed>> to(ranks.size());
+        for (const Placed& each : sites)
+            to[cuts.part_of({each.site.x, each.site.y})].push_back(each);
+        sites = {};
+        for (const auto& from : ranks.exchanged(to))
+            result.sites.insert(result.sites.end(), from.begin(), from.end());
+    }
+    ranks.together([&] { order_along_curve(result.sites); });
+    const SiteStore store(result.sites, metric, weight_is);
+    const std::vector<Placed> common = common_sites(ranks, store, sample, metric, weight_is);
+    const std::vector<PartBounds> bounds = ranks.all_of<PartBounds>(
+        std::array{PartBounds{store.extent_but(common), store.spacing()}});
+
+    std::vector<Placed> others;
+    std::ranges::copy_if(common, std::back_inserter(others), [&](const Placed& each) {
+        return cuts.part_of({each.site.x, each.site.y}) != ranks.rank();
+    });
+    RanksExchange exchange(ranks, store);
+    const std::unique_ptr<Part> part = make_part(metric, weight_is);
+    ranks.together([&] {
+        part->settle(store, others, bounds, ranks.rank(), exchange, {});
+        part->each_face([&](const WholeFace& face) { result.faces.push_back(face); });
+        part->each_adjacency([&](const Adjacency& each) { result.adjacencies.push_back(each); });
+        result.hidden = part->hidden();
+    });
+    result.cost = {ranks.sent(), part->told().sites, part->told().rounds,
+                   processor_seconds() - start};
+    return result;
+}
+
+Stretch in_order(RankTessellation& tessellation, MPI_Comm comm) {
+    Communicator ranks(comm);
+    const std::size_t size = ranks.size();
+    // Faces and hidden sites go to ranks by their first numbers, evenly.
+    const auto rank_of = [&](std::int64_t first) {
+        if (first < 0) return std::size_t{0};
+        return static_cast<std::size_t>(static_cast<unsigned __int128>(first) * size /
+                                        static_cast<unsigned __int128>(tessellation.whole));
+    };
+    const auto dealt = [&]<class T, class FirstOf>(std::vector<T>& items, const FirstOf& first_of) {
+        std::vector<std::vector<T>> to(size);
+        for (const T& each : items) to[rank_of(first_of(each))].push_back(each);
+        items = {};
+        std::vector<T> result;
+        for (const auto& from : ranks.exchanged(to))
+            result.insert(result.end(), from.begin(), from.end());
+        return result;
+    };
+    Stretch stretch;
+    stretch.faces = dealt(tessellation.faces, [](const WholeFace& face) { return face[0]; });
+    std::ranges::sort(stretch.faces);
+    stretch.first_face = ranks.sum_before(static_cast<std::int64_t>(stretch.faces.size()));
+    stretch.faces_of_all = ranks.sum(static_cast<std::int64_t>(stretch.faces.size()));
+    stretch.hidden =
+        dealt(tessellation.hidden, [](const WholeHidden& hidden) { return hidden.site; });
+    std::ranges::sort(stretch.hidden, {}, &WholeHidden::site);
+    stretch.first_hidden = ranks.sum_before(static_cast<std::int64_t>(stretch.hidden.size()));
+    stretch.hidden_of_all = ranks.sum(static_cast<std::int64_t>(stretch.hidden.size()));
+
+    const auto place_of = [&](const WholeFace& face) {
+        const auto found = std::ranges::lower_bound(stretch.faces, face);
+        if (found == stretch.faces.end() || *found != face)
+            throw std::logic_error("the parts of a tessellation do not fit together");
+        return static_cast<std::size_t>(found - stretch.faces.begin());
+    };
+    // Who has the neighbour tells its number to who has the face.
+    struct Numbered {
+        WholeFace face;
+        std::int64_t corner;
+        std::int64_t neighbour;
+    };
+    std::vector<Numbered> numbered;
+    {
+        const std::vector<Adjacency> coming = dealt(
+            tessellation.adjacencies, [](const Adjacency& each) { return each.neighbour[0]; });
+        ranks.together([&] {
+            for (const auto& [face, corner, neighbour] : coming)
+                numbered.push_back({face, corner,
+                                    stretch.first_face +
+                                        static_cast<std::int64_t>(place_of(neighbour))});
+        });
+    }
+    numbered = dealt(numbered, [](const Numbered& each) { return each.face[0]; });
+    ranks.together([&] {
+        if (numbered.size() != 3 * stretch.faces.size())
+            throw std::logic_error("the parts of a tessellation do not fit together");
+        stretch.neighbours.resize(stretch.faces.size());
+        for (const auto& [face, corner, neighbour] : numbered)
+            stretch.neighbours[place_of(face)][static_cast<std::size_t>(corner)] = neighbour;
+    });
+    return stretch;
+}
+
+}  // namespace signum::mpi

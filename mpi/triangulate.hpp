@@ -1,0 +1,61 @@
+#pragma once
+/// Tessellations of the plane whose sites lie on many ranks: each rank gets those faces that begin
+/// in its own sites, and no rank holds all of anything. The result is that of triangulate(), and
+/// the same for every number of ranks.
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "../triangulation/distributed/part.hpp"
+
+namespace signum::mpi {
+
+/// What it took.
+struct Cost {
+    std::uint64_t bytes_sent = 0;    ///< by this rank, to others
+    std::size_t sites_told = 0;      ///< of others, that this rank had to know
+    std::size_t rounds = 0;          ///< of questions
+    double processor_seconds = 0.0;  ///< of this rank, waiting included
+};
+
+/// The part of the whole that a rank has.
+struct RankTessellation {
+    std::int64_t whole = 0;                            ///< sites of all ranks
+    std::vector<distributed::Placed> sites;            ///< those that this rank owns now
+    std::vector<distributed::WholeFace> faces;         ///< whose least site is one of them
+    std::vector<distributed::Adjacency> adjacencies;   ///< of edges whose lesser site is one
+    std::vector<distributed::WholeHidden> hidden;      ///< of the sites, those that are
+    Cost cost;
+};
+
+/// Of the sites of all ranks, wherever they lie, each with a number of its own, 0 or more, by which
+/// ties are decided and faces told. Sites go to ranks by place. Collective.
+///
+/// Throws on all ranks where it does on one: std::invalid_argument for numbers that are not finite
+/// and weights in a metric without them, distributed::NoStructure where no site is visible but one
+/// or, in the power metric, all lie on one line, std::bad_alloc. Expected time: that of
+/// triangulate() for a rank's share, and some for the sites near its border. Where most cells reach
+/// far (all sites on one circle, a giant that all others touch) ranks are told of each other's
+/// sites until they know most of them.
+[[nodiscard]] RankTessellation triangulate(std::vector<distributed::Placed> sites, MPI_Comm comm,
+                                           Metric metric, WeightIs weight_is = WeightIs::radius);
+
+/// The whole as its arrays say it (arrays.hpp), by stretches: rank after rank has the faces from
+/// `first_face` on, the neighbours of each, and hidden sites in order. Collective.
+struct Stretch {
+    std::int64_t faces_of_all = 0;
+    std::int64_t first_face = 0;
+    std::vector<distributed::WholeFace> faces;
+    std::vector<std::array<std::int64_t, 3>> neighbours;
+    std::int64_t hidden_of_all = 0;
+    std::int64_t first_hidden = 0;
+    std::vector<distributed::WholeHidden> hidden;
+};
+/// Takes faces, adjacencies and hidden sites. Precondition: sites are numbered 0 … whole - 1.
+[[nodiscard]] Stretch in_order(RankTessellation& tessellation, MPI_Comm comm);
+
+}  // namespace signum::mpi

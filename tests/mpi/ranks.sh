@@ -1,0 +1,131 @@
+#!/usr/bin/env bash
+# signum-mpi on 1 to 7 ranks: the bytes are those of signum where that writes the same, and equal for
+# every number of ranks; what is wrong is said once, with rank and place, and leaves no file.
+#
+#   ranks.sh SIGNUM SIGNUM_MPI PYTHON
+set -euo pipefail
+signum=$1
+signum_mpi=$2
+python=$3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+failures=0
+
+fail() {
+  printf 'FAILED: %s\n' "$*"
+  failures=$((failures + 1))
+}
+# More ranks than cores, as root in a container, and on a machine without a network.
+ranks() {
+  local count=$1
+  shift
+  OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 OMPI_ALLOW_RUN_AS_ROOT=1 \
+    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl=self,vader OMPI_MCA_plm_rsh_agent=false \
+    timeout 120 mpirun --quiet -n "$count" "$signum_mpi" "$@"
+}
+
+# same NAME SITES METRIC RANKS...
+same() {
+  local name=$1 sites=$2 metric=$3
+  shift 3
+  "$signum" triangulate "$sites" --metric "$metric" -q -o whole.json -o whole.npy 2>/dev/null
+  for count in "$@"; do
+    ranks "$count" triangulate "$sites" --metric "$metric" -q -o found.json -o found.npy -o "found$count.h5" ||
+      { fail "$name, $metric, $count ranks: it does not end well"; continue; }
+    cmp -s whole.json found.json || fail "$name, $metric, $count ranks: another JSON"
+    cmp -s whole.npy found.npy || fail "$name, $metric, $count ranks: other faces"
+    cmp -s "found$1.h5" "found$count.h5" || fail "$name, $metric, $count ranks: another HDF5"
+  done
+}
+
+for metric in power euclidean manhattan supremum; do
+  for kind in random grid rings; do
+    "$signum" generate "$kind" -n 3000 --radius 0:9 -o sites.txt
+    same "$kind" sites.txt "$metric" 1 3
+  done
+done
+"$signum" generate random -n 20000 --radius 0:3 -o sites.npy
+same "an array" sites.npy euclidean 1 2 4
+# Headers and remarks; lines that end in CR LF; more ranks than sites.
+printf 'x,y,r\r\n0,0,1\r\n# here\r\n\r\n4,0,1\r\n0,3,0.5\r\n' >few.csv
+same "few sites" few.csv euclidean 1 2 7
+printf '0 0\n1 0\n0 1\n1 1\n' >square.txt
+same "a square" square.txt power 1 4 7
+
+# wrong NAME CODE PATTERN ARGUMENTS...: the exit code, one line that says why, and no file.
+wrong() {
+  local name=$1 code=$2 pattern=$3
+  shift 3
+  rm -f out.h5
+  local result=0
+  ranks 3 triangulate "$@" -o out.h5 >said 2>&1 || result=$?
+  [ "$result" -eq "$code" ] || fail "$name: exit code $result, not $code: $(cat said)"
+  [ "$(grep -c 'signum-mpi: ' said)" -eq 1 ] || fail "$name: said $(grep -c 'signum-mpi: ' said) times: $(cat said)"
+  grep -q "$pattern" said || fail "$name: $(cat said)"
+  [ -z "$(ls out.h5* 2>/dev/null)" ] || fail "$name: leaves $(ls out.h5*)"
+}
+wrong "no file" 2 'none.txt' none.txt
+for i in $(seq 400); do echo "$i $((i * i))"; done >lines.txt
+sed '333s/.*/7 seven/' lines.txt >words.txt
+wrong "a word" 2 'words.txt:333:1: ' words.txt
+sed '250s/.*/7 nan/' lines.txt >nan.txt
+wrong "no number" 2 'nan.txt:250:1: ' nan.txt
+for i in $(seq 40); do echo "$i $i"; done >line.txt
+wrong "a line" 2 'signum triangulate takes them' line.txt
+wrong "no array named" 2 'which array' some.h5
+wrong "a metric" 2 'none of power' lines.txt --metric manhatan
+head -c 5000 sites.npy >short.npy
+wrong "an array cut short" 2 'short.npy' short.npy
+
+if "$python" -c 'import h5py, numpy' 2>/dev/null; then
+  "$python" - <<'E' || fail "h5py: arrays of HDF5"
+import h5py, numpy
+random = numpy.random.default_rng(1)
+sites = random.random((5000, 2))
+radii = random.random(5000) * 0.01
+with h5py.File("in.h5", "w") as file:
+    file["points"] = sites
+    file["single"] = sites.astype("f4")
+    file["radii"] = radii
+numpy.save("in.npy", numpy.column_stack([sites, radii]))
+numpy.save("single.npy", sites.astype("f4"))
+E
+  ranks 3 triangulate in.h5:/points --radii /radii --metric euclidean -q -o by_h5.npy
+  ranks 2 triangulate in.npy --metric euclidean -q -o by_npy.npy
+  cmp -s by_h5.npy by_npy.npy || fail "points and radii of HDF5"
+  ranks 3 triangulate in.h5:/single -q -o by_h5.npy -o out.h5
+  "$signum" triangulate single.npy -q -o by_npy.npy 2>/dev/null
+  cmp -s by_h5.npy by_npy.npy || fail "floats of HDF5"
+  "$python" - <<'E' || fail "h5py: what is written"
+import h5py, numpy
+with h5py.File("out.h5") as file:
+    grid, own = file["VTKHDF"], file["signum"]
+    faces = own["faces"][:]
+    assert (faces == numpy.load("by_npy.npy")).all()
+    finite = faces[faces[:, 0] >= 0]
+    assert (grid["Connectivity"][:].reshape(-1, 3) == finite).all()
+    assert grid["NumberOfCells"][0] == len(finite) and grid["Offsets"][-1] == 3 * len(finite)
+    across = own["neighbours"][:]
+    for corner in range(3):
+        # The two other corners of a face are on the face across.
+        for k in (1, 2):
+            assert (faces[across[:, corner]] == faces[:, [(corner + k) % 3]]).any(axis=1).all()
+E
+  wrong "no such array" 2 'there is no array /none' in.h5:/none
+  wrong "radii beside no sites" 2 'an array of 1 axes\|rows of 1 numbers' in.h5:/radii
+fi
+if "$python" -c 'import vtkmodules.vtkIOHDF' 2>/dev/null; then
+  ranks 2 triangulate square.txt -q -o square.vtkhdf
+  "$python" - <<'E' || fail "VTK does not read it"
+from vtkmodules.vtkIOHDF import vtkHDFReader
+reader = vtkHDFReader()
+reader.SetFileName("square.vtkhdf")
+reader.Update()
+grid = reader.GetOutput()
+assert grid.GetNumberOfPoints() == 4 and grid.GetNumberOfCells() == 2, grid
+assert grid.GetPointData().GetArray("radius").GetNumberOfTuples() == 4
+E
+fi
+[ "$failures" -eq 0 ] || exit 1
+echo "all as it should be"

@@ -1,0 +1,320 @@
+#include "outputs.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "../../triangulation/tessellation.hpp"
+#include "../io/array_writer.hpp"
+#include "../io/errors.hpp"
+#include "../io/write_tessellation.hpp"
+#include "hdf5.hpp"
+
+namespace signum::mpi {
+namespace {
+
+using distributed::Placed;
+using distributed::WholeFace;
+using distributed::WholeHidden;
+
+/// The file beside its place.
+std::string unfinished(const std::string& name) {
+    return name + ".unfinished";
+}
+
+[[noreturn]] void fail(const std::string& name, int error) {
+    throw MachineError(fmt::format("cannot write {}: {}", name, std::strerror(error)));
+}
+
+/// Bytes at places of one file.
+class SharedFile {
+ public:
+    SharedFile(Communicator& ranks, const std::string& name) : name_(name) {
+        const int flags = O_WRONLY | O_CLOEXEC;
+        ranks.together([&] {
+            if (ranks.rank() == 0) open(flags | O_CREAT | O_TRUNC);
+        });
+        ranks.together([&] {
+            if (ranks.rank() != 0) open(flags);
+        });
+    }
+    SharedFile(const SharedFile&) = delete;
+    SharedFile& operator=(const SharedFile&) = delete;
+    ~SharedFile() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+    void write(std::uint64_t place, const void* bytes, std::size_t size) const {
+        const char* from = static_cast<const char*>(bytes);
+        while (size > 0) {
+            const ssize_t count = ::pwrite(descriptor_, from, size, static_cast<off_t>(place));
+            if (count < 0 && errno == EINTR) continue;
+            if (count < 0) fail(name_, errno);
+            from += count;
+            place += static_cast<std::uint64_t>(count);
+            size -= static_cast<std::size_t>(count);
+        }
+    }
+    void finish() {
+        if (::fsync(descriptor_) != 0 && errno != EINVAL) fail(name_, errno);
+        if (::close(std::exchange(descriptor_, -1)) != 0) fail(name_, errno);
+    }
+
+ private:
+    void open(int flags) {
+        descriptor_ = ::open(unfinished(name_).c_str(), flags, 0666);
+        if (descriptor_ < 0) fail(name_, errno);
+    }
+    std::string name_;
+    int descriptor_ = -1;
+};
+
+/// Faces as numbers of 32 bits, of 64 where there are so many sites.
+void write_faces(Communicator& ranks, const std::string& name, const Whole& whole, bool has_head) {
+    SharedFile file(ranks, name);
+    const bool is_long = whole.sites > std::numeric_limits<std::int32_t>::max();
+    std::ostringstream head;
+    if (has_head)
+        put_npy_head(head, is_long ? "i8" : "i4", static_cast<std::size_t>(whole.stretch.faces_of_all), 3);
+    const std::string bytes = head.str();
+    ranks.together([&] {
+        if (ranks.rank() == 0) file.write(0, bytes.data(), bytes.size());
+        const auto put = [&]<class Number>(Number) {
+            std::vector<Number> numbers;
+            numbers.reserve(3 * whole.stretch.faces.size());
+            for (const WholeFace& face : whole.stretch.faces)
+                for (const std::int64_t site : face) numbers.push_back(static_cast<Number>(site));
+            file.write(bytes.size() + static_cast<std::uint64_t>(whole.stretch.first_face) * 3 *
+                                          sizeof(Number),
+                       numbers.data(), numbers.size() * sizeof(Number));
+        };
+        is_long ? put(std::int64_t{}) : put(std::int32_t{});
+        file.finish();
+    });
+}
+
+// ---- HDF5 --------------------------------------------------------------------------------------
+
+void require(bool is_done, const std::string& name) {
+    if (!is_done) throw MachineError(fmt::format("cannot write {}", name));
+}
+
+/// Arrays of one group of a file, of whose rows each rank has some.
+class Group {
+ public:
+    Group(const std::string& name, const Handle& file, const char* path)
+        : name_(name), group_(H5Gcreate2(file, path, H5P_DEFAULT, untimed(H5P_GROUP_CREATE), H5P_DEFAULT), H5Gclose) {
+        require(group_.is_there(), name_);
+    }
+    [[nodiscard]] const Handle& get() const noexcept { return group_; }
+
+    /// `stored`: the type in the file.
+    template <class Number>
+    void put(const char* array, hid_t stored, hid_t type, std::span<const Number> own,
+             std::uint64_t first, std::uint64_t all, std::uint64_t columns) const {
+        const int axes = columns == 1 ? 1 : 2;
+        const std::array<hsize_t, 2> shape = {all, columns};
+        const Handle space(H5Screate_simple(axes, shape.data(), nullptr), H5Sclose);
+        const Handle set(H5Dcreate2(group_, array, stored, space, H5P_DEFAULT,
+                                    untimed(H5P_DATASET_CREATE), H5P_DEFAULT),
+                         H5Dclose);
+        require(set.is_there(), name_);
+        const std::array<hsize_t, 2> begin = {first, 0};
+        const std::array<hsize_t, 2> extent = {own.size() / columns, columns};
+        const Handle memory(H5Screate_simple(axes, extent.data(), nullptr), H5Sclose);
+        H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, extent.data(), nullptr);
+        if (own.empty()) {
+            H5Sselect_none(space);
+            H5Sselect_none(memory);
+        }
+        require(H5Dwrite(set, type, memory, space, collective_transfer(), own.data()) >= 0, name_);
+    }
+    void put_longs(const char* array, std::span<const std::int64_t> own, std::uint64_t first,
+                   std::uint64_t all, std::uint64_t columns) const {
+        put(array, H5T_STD_I64LE, H5T_NATIVE_INT64, own, first, all, columns);
+    }
+    void put_text(const char* attribute, const std::string& text) const {
+        const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+        H5Tset_size(type, text.size());
+        H5Tset_strpad(type, H5T_STR_NULLPAD);
+        const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+        const Handle made(H5Acreate2(group_, attribute, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+        require(made.is_there() && H5Awrite(made, type, text.data()) >= 0, name_);
+    }
+    void put_version(std::int64_t major, std::int64_t minor) const {
+        const std::array<std::int64_t, 2> version = {major, minor};
+        const hsize_t two = 2;
+        const Handle space(H5Screate_simple(1, &two, nullptr), H5Sclose);
+        const Handle made(H5Acreate2(group_, "Version", H5T_STD_I64LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+        require(made.is_there() && H5Awrite(made, H5T_NATIVE_INT64, version.data()) >= 0, name_);
+    }
+
+ private:
+    /// The time would make each file another one.
+    [[nodiscard]] static Handle untimed(hid_t kind) {
+        Handle properties(H5Pcreate(kind), H5Pclose);
+        H5Pset_obj_track_times(properties, 0);
+        return properties;
+    }
+    std::string name_;
+    Handle group_;
+};
+
+/// Faces, neighbours and hidden sites as signum has them, and the finite faces as triangles between
+/// the centres as VTK's readers take them.
+void write_hdf5(Communicator& ranks, const std::string& name, const Whole& whole) {
+    const Stretch& stretch = whole.stretch;
+    std::vector<std::int64_t> corners;
+    for (const WholeFace& face : stretch.faces)
+        if (face[0] >= 0) corners.insert(corners.end(), face.begin(), face.end());
+    const auto finite = static_cast<std::int64_t>(corners.size() / 3);
+    const std::int64_t first = ranks.sum_before(finite);
+    const auto all = static_cast<std::uint64_t>(ranks.sum(finite));
+    const auto first_site =
+        static_cast<std::uint64_t>(ranks.sum_before(static_cast<std::int64_t>(whole.slice.size())));
+    const auto sites = static_cast<std::uint64_t>(whole.sites);
+    const bool is_first = ranks.rank() == 0;
+    const auto ours = [](std::int64_t number) { return static_cast<std::uint64_t>(number); };
+
+    ranks.together([&] {
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+        const Handle file(H5Fcreate(unfinished(name).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT,
+                                    access_by(ranks.get())),
+                          H5Fclose);
+        require(file.is_there(), name);
+        const Group vtk(name, file, "/VTKHDF");
+        vtk.put_version(1, 0);
+        vtk.put_text("Type", "UnstructuredGrid");
+        const auto put_number = [&](const char* array, std::uint64_t number) {
+            const std::array<std::int64_t, 1> one = {static_cast<std::int64_t>(number)};
+            vtk.put_longs(array, std::span(one).first(is_first ? 1 : 0), 0, 1, 1);
+        };
+        put_number("NumberOfPoints", sites);
+        put_number("NumberOfCells", all);
+        put_number("NumberOfConnectivityIds", 3 * all);
+        std::vector<double> places;
+        std::vector<double> thirds;
+        for (const auto& [site, id] : whole.slice) {
+            places.insert(places.end(), {site.x, site.y, 0.0});
+            thirds.push_back(site.r);
+        }
+        vtk.put<double>("Points", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, places, first_site, sites, 3);
+        vtk.put_longs("Connectivity", corners, 3 * ours(first), 3 * all, 1);
+        std::vector<std::int64_t> offsets;
+        for (std::int64_t k = is_first ? 0 : 1; k <= finite; ++k) offsets.push_back(3 * (first + k));
+        vtk.put_longs("Offsets", offsets, is_first ? 0 : ours(first) + 1, all + 1, 1);
+        const std::vector<std::uint8_t> triangles(static_cast<std::size_t>(finite), 5);
+        vtk.put<std::uint8_t>("Types", H5T_STD_U8LE, H5T_NATIVE_UINT8, triangles, ours(first), all, 1);
+        const Group point_data(name, file, "/VTKHDF/PointData");
+        point_data.put<double>(whole.weight_is == WeightIs::weight ? "weight" : "radius",
+                               H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, thirds, first_site, sites, 1);
+
+        const Group own(name, file, "/signum");
+        own.put_text("metric", std::string(name_of(whole.metric)));
+        const auto rows = [](const auto& items) {
+            std::vector<std::int64_t> numbers;
+            for (const auto& row : items) numbers.insert(numbers.end(), row.begin(), row.end());
+            return numbers;
+        };
+        own.put_longs("faces", rows(stretch.faces), ours(stretch.first_face), ours(stretch.faces_of_all), 3);
+        own.put_longs("neighbours", rows(stretch.neighbours), ours(stretch.first_face),
+                      ours(stretch.faces_of_all), 3);
+        std::vector<std::int64_t> hidden;
+        for (const auto& [site, by] : stretch.hidden) hidden.insert(hidden.end(), {site, by});
+        own.put_longs("hidden", hidden, ours(stretch.first_hidden), ours(stretch.hidden_of_all), 2);
+        require(H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0, name);
+    });
+}
+
+void write_json(Communicator& ranks, const std::string& name, const Whole& whole) {
+    constexpr std::int64_t most = 20'000'000;
+    if (whole.stretch.faces_of_all > most)
+        throw std::invalid_argument(fmt::format("{}: {} faces; JSON is written by one rank, which "
+                                                "holds them all: {} at most. Write .h5 or .npy",
+                                                name, whole.stretch.faces_of_all, most));
+    // To the first rank.
+    const auto gathered = [&]<class T>(const std::vector<T>& own) {
+        std::vector<std::vector<T>> to(ranks.size());
+        to[0] = own;
+        std::vector<T> all;
+        for (const auto& from : ranks.exchanged(to)) all.insert(all.end(), from.begin(), from.end());
+        return all;
+    };
+    const auto faces = gathered(whole.stretch.faces);
+    const auto neighbours = gathered(whole.stretch.neighbours);
+    const auto hidden = gathered(whole.stretch.hidden);
+    const auto sites = gathered(whole.slice);
+    SharedFile file(ranks, name);
+    ranks.together([&] {
+        if (ranks.rank() != 0) return;
+        TessellationArrays arrays;
+        arrays.metric = whole.metric;
+        arrays.weight_is = whole.weight_is;
+        arrays.sites = whole.sites;
+        const auto short_of = [](const std::array<std::int64_t, 3>& row) {
+            return Face{static_cast<Index>(row[0]), static_cast<Index>(row[1]),
+                        static_cast<Index>(row[2])};
+        };
+        for (const auto& face : faces) arrays.faces.push_back(short_of(face));
+        for (const auto& row : neighbours) arrays.neighbours.push_back(short_of(row));
+        for (const auto& [site, by] : hidden)
+            arrays.hidden.push_back({static_cast<Index>(site), static_cast<Index>(by)});
+        std::vector<Site> all;
+        for (const Placed& each : sites) all.push_back(each.site);
+        std::ostringstream out;
+        signum::write_json(out, triangulation::constructed(std::move(arrays), std::move(all), {}));
+        const std::string text = out.str();
+        file.write(0, text.data(), text.size());
+        file.finish();
+    });
+}
+
+/// How a file of an ending is written.
+struct Format {
+    std::string_view ending;
+    void (*write)(Communicator&, const std::string&, const Whole&);
+};
+constexpr Format formats[] = {
+    {".h5", write_hdf5},
+    {".hdf5", write_hdf5},
+    {".vtkhdf", write_hdf5},
+    {".json", write_json},
+    {".npy", [](Communicator& ranks, const std::string& name,
+                const Whole& whole) { write_faces(ranks, name, whole, true); }},
+    {".i32", [](Communicator& ranks, const std::string& name,
+                const Whole& whole) { write_faces(ranks, name, whole, false); }},
+};
+const Format* format_of(const std::string& name) {
+    const auto* const found = std::ranges::find_if(
+        formats, [&](const Format& format) { return name.ends_with(format.ending); });
+    return found == std::end(formats) ? nullptr : found;
+}
+
+}  // namespace
+
+bool can_write(const std::string& name) {
+    return format_of(name) != nullptr;
+}
+
+void write(Communicator& ranks, const std::string& name, const Whole& whole) {
+    try {
+        format_of(name)->write(ranks, name, whole);
+        ranks.together([&] {
+            if (ranks.rank() == 0 && std::rename(unfinished(name).c_str(), name.c_str()) != 0)
+                fail(name, errno);
+        });
+    } catch (...) {
+        if (ranks.rank() == 0) ::unlink(unfinished(name).c_str());
+        throw;
+    }
+}
+
+}  // namespace signum::mpi

@@ -1,0 +1,251 @@
+#include "slices.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "../io/errors.hpp"
+#include "../io/input_file.hpp"
+#include "../io/plain_lines.hpp"
+#include "../io/read_sites.hpp"
+#include "hdf5.hpp"
+
+namespace signum::mpi {
+namespace {
+
+using distributed::Placed;
+
+Slices read_array(Communicator& ranks, const std::string& name, SitesInput input) {
+    Slices slices;
+    ranks.together([&] {
+        const SitesFile file = read_sites(
+            name, {.dimension = 2, .input = input, .share = {ranks.rank(), ranks.size()}});
+        auto id = static_cast<std::int64_t>(file.first_row);
+        for (const Site& site : file.sites) {
+            slices.sites.push_back({site, id++});
+            slices.has_thirds = slices.has_thirds || site.r != 0.0;
+        }
+    });
+    return slices;
+}
+
+// ---- text --------------------------------------------------------------------------------------
+
+/// Lines that begin in a stretch of the file's bytes.
+class TextSlice {
+ public:
+    TextSlice(const std::string& name, std::uint64_t number, std::uint64_t of) : name_(name) {
+        // Says what is wrong with the name, and refuses UTF-16.
+        const InputFile file(name, "a file of sites");
+        const auto size = file.size();
+        if (!size) throw InputError(name, "this is no regular file; several ranks read one");
+        input_.open(name, std::ios::binary);
+        begin_ = *size * number / of;
+        end_ = *size * (number + 1) / of;
+        if (begin_ > 0) {
+            // A line belongs to the slice in which it begins.
+            input_.seekg(static_cast<std::streamoff>(begin_ - 1));
+            std::string rest;
+            std::getline(input_, rest);
+            begin_ += rest.size();
+        } else {
+            has_start_ = end_ > 0;
+            if (file.first_bytes().starts_with("\xEF\xBB\xBF")) begin_ = 3;
+            input_.seekg(static_cast<std::streamoff>(begin_));
+        }
+    }
+    /// Whether the file's first line is in it.
+    [[nodiscard]] bool has_start() const noexcept { return has_start_; }
+
+    /// Calls take(line) for each line.
+    template <class Take>
+    void each_line(const Take& take) {
+        std::string line;
+        while (begin_ < end_ && std::getline(input_, line)) {
+            begin_ += line.size() + 1;
+            if (line.ends_with('\r')) line.pop_back();
+            take(line);
+        }
+        if (input_.bad()) throw MachineError("cannot read " + name_);
+    }
+
+ private:
+    std::string name_;
+    std::ifstream input_;
+    std::uint64_t begin_ = 0;
+    std::uint64_t end_ = 0;
+    bool has_start_ = false;
+};
+
+/// A header that says no more than what would be taken anyhow.
+bool is_header(std::string_view line) {
+    std::string names;
+    for (const char c : line)
+        if (c != ' ' && c != '\t' && c != '"')
+            names += c == ';' ? ',' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return names == "x,y" || names == "x,y,r" || names == "x,y,radius" || names == "x,y,w" ||
+           names == "x,y,weight";
+}
+
+Slices read_text(Communicator& ranks, const std::string& name) {
+    constexpr PlainLayout layout = {.places = {0, 1, 2, std::numeric_limits<std::size_t>::max()},
+                                    .coordinates = 2,
+                                    .most = 3,
+                                    .separator = '\0',
+                                    .has_radius = false,
+                                    .may_be_negative = true,
+                                    .may_be_beyond_single = true};
+    Slices slices;
+    std::int64_t lines = 0;
+    std::optional<std::int64_t> wrong;
+    std::string text;
+    const auto read = [&] {
+        const PlainLines plain = read_plain_lines(text, layout);
+        for (const auto& [x, y, third, none] : plain.sites) slices.sites.push_back({{x, y, third}, 0});
+        slices.has_thirds = slices.has_thirds || plain.has_radii;
+        if (plain.bytes < text.size() && !wrong) wrong = lines + plain.lines;
+        lines += std::ranges::count(text, '\n');
+        text.clear();
+    };
+    ranks.together([&] {
+        TextSlice slice(name, ranks.rank(), ranks.size());
+        bool is_first = slice.has_start();
+        slice.each_line([&](const std::string& line) {
+            const bool says_nothing =
+                line.find_first_not_of(" \t") == std::string::npos || line.starts_with('#');
+            const bool is_title = !says_nothing && is_first && is_header(line);
+            is_first = is_first && says_nothing;
+            if (says_nothing || is_title) {
+                read();
+                ++lines;
+                return;
+            }
+            text += line;
+            text += '\n';
+            if (text.size() > std::size_t{1} << 20) read();
+        });
+        read();
+    });
+    const std::int64_t before = ranks.sum_before(lines);
+    ranks.together([&] {
+        if (!wrong) return;
+        throw InputError(name, {before + *wrong + 1, 1},
+                         "several ranks read lines of two or three numbers, x y and perhaps r, under "
+                         "a header of these names or none; signum reads the rest");
+    });
+    std::int64_t id = ranks.sum_before(static_cast<std::int64_t>(slices.sites.size()));
+    for (Placed& each : slices.sites) each.id = id++;
+    return slices;
+}
+
+// ---- HDF5 --------------------------------------------------------------------------------------
+
+class Dataset {
+ public:
+    Dataset(const std::string& file, const Handle& opened, const std::string& path)
+        : name_(file + ":" + path), set_(H5Dopen2(opened, path.c_str(), H5P_DEFAULT), H5Dclose) {
+        if (!set_.is_there()) throw InputError(file, fmt::format("there is no array {} in it", path));
+        const Handle space(H5Dget_space(set_), H5Sclose);
+        axes_ = H5Sget_simple_extent_ndims(space);
+        if (axes_ < 1 || axes_ > 2)
+            throw InputError(name_, fmt::format("an array of {} axes; sites are rows", axes_));
+        H5Sget_simple_extent_dims(space, shape_.data(), nullptr);
+    }
+    [[nodiscard]] std::uint64_t rows() const noexcept { return shape_[0]; }
+    [[nodiscard]] std::uint64_t columns() const noexcept { return axes_ == 1 ? 1 : shape_[1]; }
+    [[nodiscard]] const std::string& name() const noexcept { return name_; }
+    /// Some of its rows, as doubles.
+    [[nodiscard]] std::vector<double> read(std::uint64_t first, std::uint64_t count) const {
+        const Handle space(H5Dget_space(set_), H5Sclose);
+        const std::array<hsize_t, 2> begin = {first, 0};
+        const std::array<hsize_t, 2> extent = {count, columns()};
+        std::vector<double> numbers(count * columns());
+        const Handle memory(H5Screate_simple(axes_, extent.data(), nullptr), H5Sclose);
+        H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, extent.data(), nullptr);
+        if (count == 0) {
+            H5Sselect_none(space);
+            H5Sselect_none(memory);
+        }
+        if (H5Dread(set_, H5T_NATIVE_DOUBLE, memory, space, collective_transfer(),
+                    numbers.data()) < 0)
+            throw InputError(name_, "it cannot be read as numbers");
+        return numbers;
+    }
+
+ private:
+    std::string name_;
+    Handle set_;
+    int axes_ = 0;
+    std::array<hsize_t, 2> shape_ = {0, 0};
+};
+
+Slices read_hdf5(Communicator& ranks, const std::string& file, const std::string& path,
+                 const std::string& thirds) {
+    Slices slices;
+    ranks.together([&] {
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+        { const InputFile named(file, "a file of sites", Contents::bytes); }
+        const Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access_by(ranks.get())), H5Fclose);
+        if (!opened.is_there()) throw InputError(file, "this is no file of HDF5");
+        const Dataset set(file, opened, path);
+        if (set.columns() < 2 || set.columns() > 3)
+            throw InputError(set.name(), fmt::format("rows of {} numbers; sites of the plane have 2, "
+                                                     "or 3 with a radius or weight",
+                                                     set.columns()));
+        if (set.rows() == 0) throw InputError(set.name(), "no site in this array");
+        const auto row_of = [&](std::uint64_t k) {
+            return static_cast<std::uint64_t>(static_cast<unsigned __int128>(set.rows()) * k /
+                                              ranks.size());
+        };
+        const std::uint64_t first = row_of(ranks.rank());
+        const std::uint64_t count = row_of(ranks.rank() + 1) - first;
+        const std::vector<double> places = set.read(first, count);
+        std::vector<double> radii;
+        if (!thirds.empty()) {
+            const Dataset of_radii(file, opened, thirds);
+            if (of_radii.columns() != 1 || of_radii.rows() != set.rows())
+                throw InputError(of_radii.name(),
+                                 fmt::format("{} rows of {} numbers; {} has {} sites",
+                                             of_radii.rows(), of_radii.columns(), set.name(),
+                                             set.rows()));
+            radii = of_radii.read(first, count);
+        }
+        const std::uint64_t columns = set.columns();
+        slices.has_thirds = columns == 3 || !radii.empty();
+        for (std::uint64_t k = 0; k < count; ++k) {
+            const double* const row = &places[k * columns];
+            const double third = !radii.empty() ? radii[k] : columns == 3 ? row[2] : 0.0;
+            for (const double number : {row[0], row[1], third})
+                if (!std::isfinite(number))
+                    throw InputError(set.name(), fmt::format("row {}: {} where a finite number "
+                                                             "should be",
+                                                             first + k, number));
+            slices.sites.push_back({{row[0], row[1], third}, static_cast<std::int64_t>(first + k)});
+        }
+    });
+    return slices;
+}
+
+}  // namespace
+
+Slices read_slices(Communicator& ranks, const std::string& name, const std::string& thirds) {
+    for (const std::string_view ending : {".h5:", ".hdf5:", ".hdf:"})
+        if (const std::size_t at = name.find(ending); at != std::string::npos) {
+            const std::size_t end = at + ending.size() - 1;
+            return read_hdf5(ranks, name.substr(0, end), name.substr(end + 1), thirds);
+        }
+    if (!thirds.empty())
+        throw InputError(name, "--radii and --weights name arrays of a file of HDF5: give "
+                               "FILE.h5:/path/to/coordinates");
+    if (name.ends_with(".h5") || name.ends_with(".hdf5") || name.ends_with(".hdf"))
+        throw InputError(name, "which array? give FILE.h5:/path/to/coordinates");
+    if (name.ends_with(".npy")) return read_array(ranks, name, SitesInput::npy);
+    if (name.ends_with(".f64")) return read_array(ranks, name, SitesInput::f64);
+    return read_text(ranks, name);
+}
+
+}  // namespace signum::mpi

@@ -1,0 +1,78 @@
+#pragma once
+/// Which part each site belongs to: a tree of cuts along the axes, made from a sample.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "../../core/site.hpp"
+
+namespace signum::distributed {
+
+class Cuts {
+ public:
+    /// Of so many parts, one at least, each with about as many of the sample. The same wherever it
+    /// is made from the same sample. O(n log parts).
+    Cuts(std::vector<Point> sample, std::size_t parts) : parts_(parts) { cut(sample, 0, parts); }
+
+    [[nodiscard]] std::size_t parts() const noexcept { return parts_; }
+    [[nodiscard]] std::size_t part_of(Point p) const noexcept {
+        std::size_t first = 0;
+        std::size_t last = parts_;
+        for (std::size_t node = 0; last - first > 1;) {
+            const Node& here = nodes_[node];
+            const std::size_t middle = first + (last - first) / 2;
+            if ((here.axis == 0 ? p.x : p.y) < here.at) {
+                last = middle;
+                ++node;
+            } else {
+                first = middle;
+                node = here.above;
+            }
+        }
+        return first;
+    }
+
+ private:
+    /// Parts first … last: the lower half is the next node.
+    struct Node {
+        std::size_t axis;
+        double at;
+        std::size_t above;
+    };
+
+    void cut(std::span<Point> sample, std::size_t first, std::size_t last) {
+        if (last - first <= 1) return;
+        const std::size_t middle = first + (last - first) / 2;
+        const std::size_t place = sample.size() * (middle - first) / (last - first);
+        const std::size_t number = nodes_.size();
+        nodes_.push_back({0, 0.0, 0});
+        if (!sample.empty()) {
+            const auto put_in_place = [&](std::size_t k, double Point::*axis) {
+                std::ranges::nth_element(sample, sample.begin() + static_cast<std::ptrdiff_t>(k),
+                                         {}, axis);
+                return sample[k].*axis;
+            };
+            // Along the axis along which most of them are spread widest. Halved, so that it cannot
+            // overflow.
+            const auto spread = [&](double Point::*axis) {
+                const std::size_t eighth = sample.size() / 8;
+                return 0.5 * put_in_place(sample.size() - 1 - eighth, axis) -
+                       0.5 * put_in_place(eighth, axis);
+            };
+            const bool is_wide = spread(&Point::x) >= spread(&Point::y);
+            nodes_[number].axis = is_wide ? 0 : 1;
+            nodes_[number].at = put_in_place(place, is_wide ? &Point::x : &Point::y);
+        }
+        cut(sample.first(place), first, middle);
+        nodes_[number].above = nodes_.size();
+        cut(sample.subspan(place), middle, last);
+    }
+
+    std::size_t parts_;
+    std::vector<Node> nodes_;
+};
+
+}  // namespace signum::distributed

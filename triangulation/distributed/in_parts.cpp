@@ -1,0 +1,99 @@
+#include "in_parts.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "common.hpp"
+#include "cuts.hpp"
+
+namespace signum::distributed {
+
+std::vector<Answers> SharedExchange::ask(std::vector<Questions> questions) {
+    std::vector<Answers> answers(questions.size());
+    for (std::size_t q = 0; q < questions.size(); ++q)
+        if (!questions[q].are_none()) answers[q] = stores_[q].answer(questions[q]);
+    return answers;
+}
+
+WholeParts settle_in_parts(std::span<const Placed> sites, Metric metric, WeightIs weight_is,
+                           std::size_t parts) {
+    std::vector<Point> sample;
+    for (const Placed& each : sites) sample.push_back({each.site.x, each.site.y});
+    const Cuts cuts(std::move(sample), parts);
+    std::vector<std::vector<Placed>> own(parts);
+    for (const Placed& each : sites)
+        own[cuts.part_of({each.site.x, each.site.y})].push_back(each);
+
+    std::vector<SiteStore> stores;
+    Extent extent = no_extent();
+    for (auto& of_part : own) {
+        order_along_curve(of_part);
+        stores.emplace_back(of_part, metric, weight_is);
+        extent.include(stores.back().extent());
+    }
+    Farthest farthest(metric, extent);
+    for (const auto& of_part : own) farthest.include(of_part);
+    std::vector<Placed> candidates;
+    for (const SiteStore& store : stores) {
+        const std::vector<Placed> more = endless_among(store, farthest);
+        candidates.insert(candidates.end(), more.begin(), more.end());
+    }
+    std::vector<Placed> common = endless_of(std::move(candidates), metric, weight_is);
+    const std::vector<Placed> greatest = greatest_of(sites, most_greatest, metric, weight_is);
+    common.insert(common.end(), greatest.begin(), greatest.end());
+    std::ranges::sort(common, {}, &Placed::id);
+    const auto same = std::ranges::unique(common, {}, &Placed::id);
+    common.erase(same.begin(), same.end());
+
+    std::vector<PartBounds> bounds;
+    for (const SiteStore& store : stores)
+        bounds.push_back({store.extent_but(common), store.spacing()});
+    WholeParts whole;
+    for (std::size_t number = 0; number < parts; ++number) {
+        std::vector<Placed> others;
+        std::ranges::copy_if(common, std::back_inserter(others), [&](const Placed& each) {
+            return cuts.part_of({each.site.x, each.site.y}) != number;
+        });
+        SharedExchange exchange(stores);
+        const std::unique_ptr<Part> part = make_part(metric, weight_is);
+        part->settle(stores[number], others, bounds, number, exchange, {});
+        part->each_face([&](const WholeFace& face) { whole.faces.push_back(face); });
+        part->each_adjacency([&](const Adjacency& each) { whole.adjacencies.push_back(each); });
+        for (const WholeHidden& each : part->hidden()) whole.hidden.push_back(each);
+        const Part::Told told = part->told();
+        whole.told.sites += told.sites;
+        whole.told.rounds = std::max(whole.told.rounds, told.rounds);
+        whole.told.faces += told.faces;
+        whole.told.edges += told.edges;
+    }
+    return whole;
+}
+
+TessellationArrays arrays_of(const WholeParts& whole, std::int64_t sites, Metric metric,
+                             WeightIs weight_is) {
+    std::vector<WholeFace> faces = whole.faces;
+    std::ranges::sort(faces);
+    const auto number_of = [&](const WholeFace& face) {
+        const auto found = std::ranges::lower_bound(faces, face);
+        if (found == faces.end() || *found != face)
+            throw std::logic_error("parts of a tessellation do not fit together");
+        return static_cast<Index>(found - faces.begin());
+    };
+    TessellationArrays arrays;
+    arrays.metric = metric;
+    arrays.weight_is = weight_is;
+    arrays.sites = sites;
+    for (const WholeFace& face : faces)
+        arrays.faces.push_back({static_cast<Index>(face[0]), static_cast<Index>(face[1]),
+                                static_cast<Index>(face[2])});
+    arrays.neighbours.assign(faces.size(), {-1, -1, -1});
+    for (const auto& [face, corner, neighbour] : whole.adjacencies)
+        arrays.neighbours[static_cast<std::size_t>(number_of(face))]
+                         [static_cast<std::size_t>(corner)] = number_of(neighbour);
+    for (const auto& [site, by] : whole.hidden)
+        arrays.hidden.push_back({static_cast<Index>(site), static_cast<Index>(by)});
+    std::ranges::sort(arrays.hidden, {}, &Hidden::site);
+    return arrays;
+}
+
+}  // namespace signum::distributed

@@ -1,0 +1,107 @@
+#pragma once
+/// One part of a tessellation, which is built where its sites are, and told by others what it has
+/// to know of theirs.
+///
+/// A part builds the tessellation of its own sites, of those of others that are near, and of the
+/// *common* ones, which every part knows: all sites whose cells have no end, and some of the
+/// greatest. It then asks about each face at an own site that a site which it does not know may
+/// reach; what conflicts is inserted, and the faces that come with it are asked about, until
+/// nothing conflicts.
+///
+/// Theorem. In the end the star of every own site is that in the whole, and who is hidden in the
+/// part is hidden in the whole.
+///
+/// A face that no site of the whole conflicts with is one of the whole, and a site is hidden in the
+/// whole where it is in a part of it. It remains that every face at an own site is without conflict
+/// in the end. No site that the part knows conflicts with it. One at infinity is as in the whole,
+/// for all neighbours of infinity are known. Of a finite one let t be a site that is not known: its
+/// centre lies beyond the box of the own sites, grown by how far others were asked to look, and so
+/// beyond the line of one of its sides, and its third number is G at most. A face is asked about
+/// where such a t may reach its vertex (Ball); and *all those are found* by a search from the faces
+/// that have another vertex than own sites, from site to site of the faces that may be reached:
+///  - power: the faces in conflict with t lie side by side. One of them contains t's centre, which
+///    the triangle of three own sites cannot, or is at infinity.
+///  - the others: with n towards t's side at a right angle to the line, h the least n·t, and s the
+///    site that is nearest to q, f(q) = d(q, s) - r_s + n·q; a face may be reached where f >= h - G
+///    at its vertex. t takes all points between any of its cell and its centre, and there f >= h -
+///    G. From the centre towards n f does not fall, and in the end one is in a cell without an end.
+///    Where that way crosses an edge, f is no less at one of its ends (parts/reach.hpp), and that
+///    face joins the two sites.
+/// Later on all faces that were not there are at sites that came.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <stop_token>
+#include <vector>
+
+#include "../metric.hpp"
+#include "exchange.hpp"
+#include "site_store.hpp"
+
+namespace signum::distributed {
+
+/// What all know of each part.
+struct PartBounds {
+    Extent extent;   ///< of its sites that are not common
+    double spacing;  ///< SiteStore::spacing()
+};
+
+/// By the numbers of its sites in the whole; -1 for infinity, which comes first, or else the least.
+using WholeFace = std::array<std::int64_t, 3>;
+
+/// What faces the whole is to have across an edge: that opposite vertex `corner` of `face`.
+struct Adjacency {
+    WholeFace face;
+    std::int64_t corner;
+    WholeFace neighbour;
+};
+
+struct WholeHidden {
+    std::int64_t site;
+    std::int64_t by;
+};
+
+/// All own sites lie on one line (power), or one hides all others: there is nothing that parts
+/// could share.
+class NoStructure : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+class Part {
+ public:
+    Part() = default;
+    Part(const Part&) = delete;
+    Part& operator=(const Part&) = delete;
+    virtual ~Part() = default;
+
+    /// `number`: which of the parts it is. `common`: as above, those of other parts. Expected O(n log n), and the number of sites told.
+    /// Throws Stopped, NoStructure, and what the exchange does.
+    virtual void settle(const SiteStore& own, std::span<const Placed> common,
+                        std::span<const PartBounds> parts, std::size_t number, Exchange& exchange,
+                        const std::stop_token& stop) = 0;
+
+    /// The faces whose least site is an own one.
+    virtual void each_face(const std::function<void(const WholeFace&)>& put) const = 0;
+    /// Both sides of each edge whose lesser site is an own one.
+    virtual void each_adjacency(const std::function<void(const Adjacency&)>& put) const = 0;
+    /// The own sites that are hidden, and who is nearest to their centres in the whole.
+    [[nodiscard]] virtual std::vector<WholeHidden> hidden() const = 0;
+    /// How many sites of others were told, how often it asked, and how many faces and edges it asked about.
+    struct Told {
+        std::size_t sites = 0;
+        std::size_t rounds = 0;
+        std::size_t faces = 0;
+        std::size_t edges = 0;
+    };
+    [[nodiscard]] virtual Told told() const noexcept = 0;
+};
+
+[[nodiscard]] std::unique_ptr<Part> make_part(Metric metric, WeightIs weight_is);
+
+}  // namespace signum::distributed

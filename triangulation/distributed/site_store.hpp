@@ -1,0 +1,49 @@
+#pragma once
+/// The sites that a part owns, for others to ask about.
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "../../core/box_tree.hpp"
+#include "../metric.hpp"
+#include "exchange.hpp"
+
+namespace signum::distributed {
+
+/// Puts sites in an order in which those that follow one another are near. O(n log n).
+void order_along_curve(std::span<Placed> sites);
+
+class SiteStore {
+ public:
+    /// Nothing is copied: the sites, along a curve, may lie in a file that is mapped. A tree keeps
+    /// the bounds of a hundred of them at a time. O(n).
+    SiteStore(std::span<const Placed> sites, Metric metric, WeightIs weight_is);
+
+    [[nodiscard]] std::span<const Placed> sites() const noexcept { return sites_; }
+    /// Of all sites.
+    [[nodiscard]] const Extent& extent() const noexcept { return extent_; }
+    /// Of all but some, sorted by id. O(n log of how many these are).
+    [[nodiscard]] Extent extent_but(std::span<const Placed> some) const;
+    /// Those sites of which may_be(extent) says so, as of all extents that they are in.
+    [[nodiscard]] std::vector<Placed> sites_where(
+        const std::function<bool(const Extent&)>& may_be) const;
+    /// A store of other sites, of the same kind.
+    [[nodiscard]] SiteStore of(std::span<const Placed> sites) const {
+        return {sites, metric_, weight_is_};
+    }
+    /// How much of the plane a site has, by the sites' own box; 0 of none.
+    [[nodiscard]] double spacing() const noexcept;
+    /// May be called by several threads.
+    [[nodiscard]] Answers answer(const Questions& questions) const;
+
+ private:
+    std::span<const Placed> sites_;
+    Metric metric_;
+    WeightIs weight_is_;
+    Extent extent_;
+    BoxTree<3> tree_;
+};
+
+}  // namespace signum::distributed
