@@ -1,12 +1,13 @@
 #pragma once
 /// MPI, as far as it is used here: arrays of plain values between the ranks of a communicator.
 ///
-/// Law: every call is collective. A rank that fails between two of them says so at the next one,
-/// and all others throw there.
+/// Law: every call is collective. What fails on a rank within together() is an exception there, and
+/// OtherFailed on all others at their next call; what fails elsewhere leaves the others waiting.
 
 #include <mpi.h>
 
 #include <cstdint>
+#include <ctime>
 #include <numeric>
 #include <span>
 #include <stdexcept>
@@ -39,6 +40,10 @@ class Communicator {
     [[nodiscard]] std::size_t size() const noexcept { return static_cast<std::size_t>(size_); }
     /// How many bytes this rank has sent to others.
     [[nodiscard]] std::uint64_t sent() const noexcept { return sent_; }
+    /// The processor time spent in MPI, most of it waiting.
+    [[nodiscard]] double seconds() const noexcept { return seconds_; }
+    /// Whether a failure is known to all ranks.
+    [[nodiscard]] bool has_failed() const noexcept { return has_failed_; }
 
     /// Work of one rank, and its failures those of all: throws what it threw here, and OtherFailed
     /// elsewhere.
@@ -46,10 +51,8 @@ class Communicator {
     void together(const Work& work) {
         try {
             work();
-        } catch (const OtherFailed&) {
-            throw;
         } catch (...) {
-            static_cast<void>(gate(true));
+            if (!has_failed_) static_cast<void>(gate(true));
             throw;
         }
         pass();
@@ -61,7 +64,7 @@ class Communicator {
     [[nodiscard]] std::int64_t sum_before(std::int64_t own) {
         pass();
         std::int64_t result = 0;
-        MPI_Exscan(&own, &result, 1, MPI_INT64_T, MPI_SUM, comm_);
+        timed([&] { MPI_Exscan(&own, &result, 1, MPI_INT64_T, MPI_SUM, comm_); });
         return rank_ == 0 ? 0 : result;
     }
     /// What each rank has, rank by rank.
@@ -72,35 +75,40 @@ class Communicator {
         const std::vector<int> begins = begins_of(counts);
         std::vector<T> all(total(counts));
         const Type<T> type;
-        MPI_Allgatherv(own.data(), counted(own.size()), type.get(), all.data(), counts.data(),
-                       begins.data(), type.get(), comm_);
+        timed([&] {
+            MPI_Allgatherv(own.data(), counted(own.size()), type.get(), all.data(), counts.data(),
+                           begins.data(), type.get(), comm_);
+        });
         sent_ += own.size() * sizeof(T) * (size() - 1);
         return all;
     }
     /// To each rank a list; from each rank one.
     template <class T>
     [[nodiscard]] std::vector<std::vector<T>> exchanged(const std::vector<std::vector<T>>& lists) {
-        pass();
-        std::vector<int> to(size());
-        std::vector<int> from(size());
         std::vector<T> sending;
+        std::vector<int> to(size());
         for (std::size_t r = 0; r < size(); ++r) {
             to[r] = counted(lists[r].size());
             sending.insert(sending.end(), lists[r].begin(), lists[r].end());
-            if (r != rank()) sent_ += lists[r].size() * sizeof(T);
         }
-        MPI_Alltoall(to.data(), 1, MPI_INT, from.data(), 1, MPI_INT, comm_);
-        const std::vector<int> to_begins = begins_of(to);
-        const std::vector<int> from_begins = begins_of(from);
-        std::vector<T> coming(total(from));
-        const Type<T> type;
-        MPI_Alltoallv(sending.data(), to.data(), to_begins.data(), type.get(), coming.data(),
-                      from.data(), from_begins.data(), type.get(), comm_);
+        std::vector<int> begins;
+        const std::vector<T> coming = carried(std::move(sending), to, begins);
         std::vector<std::vector<T>> result(size());
         for (std::size_t r = 0; r < size(); ++r)
-            result[r].assign(coming.begin() + from_begins[r],
-                             coming.begin() + from_begins[r] + from[r]);
+            result[r].assign(coming.begin() + begins[r], coming.begin() + begins[r + 1]);
         return result;
+    }
+    /// To each rank the items of which rank_of(item) names it; what comes, rank after rank. Takes
+    /// the items.
+    template <class T, class RankOf>
+    [[nodiscard]] std::vector<T> dealt(std::vector<T>& items, const RankOf& rank_of) {
+        std::vector<int> to(size());
+        for (const T& each : items) ++to[rank_of(each)];
+        std::vector<int> next = begins_of(to);
+        std::vector<T> sending(items.size());
+        for (const T& each : items) sending[static_cast<std::size_t>(next[rank_of(each)]++)] = each;
+        items = {};
+        return carried(std::move(sending), to, next);
     }
 
  private:
@@ -123,11 +131,39 @@ class Communicator {
         MPI_Datatype type_;
     };
 
+    /// `begins` becomes where what came from each rank begins, and the end.
+    template <class T>
+    [[nodiscard]] std::vector<T> carried(std::vector<T> sending, const std::vector<int>& to,
+                                         std::vector<int>& begins) {
+        pass();
+        sent_ += (sending.size() - static_cast<std::size_t>(to[rank()])) * sizeof(T);
+        std::vector<int> from(size());
+        timed([&] { MPI_Alltoall(to.data(), 1, MPI_INT, from.data(), 1, MPI_INT, comm_); });
+        begins = begins_of(from);
+        begins.push_back(counted(total(from)));
+        // There is nobody else.
+        if (size() == 1) return sending;
+        const std::vector<int> to_begins = begins_of(to);
+        std::vector<T> coming(total(from));
+        const Type<T> type;
+        timed([&] {
+            MPI_Alltoallv(sending.data(), to.data(), to_begins.data(), type.get(), coming.data(),
+                          from.data(), begins.data(), type.get(), comm_);
+        });
+        return coming;
+    }
     [[nodiscard]] bool gate(bool has_failed) {
         const int own = has_failed ? 1 : 0;
         int any = 0;
-        MPI_Allreduce(&own, &any, 1, MPI_INT, MPI_MAX, comm_);
-        return any != 0;
+        timed([&] { MPI_Allreduce(&own, &any, 1, MPI_INT, MPI_MAX, comm_); });
+        has_failed_ = any != 0;
+        return has_failed_;
+    }
+    template <class Call>
+    void timed(const Call& call) {
+        const std::clock_t start = std::clock();
+        call();
+        seconds_ += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     }
     void pass() {
         if (gate(false)) throw OtherFailed("another rank has failed");
@@ -135,12 +171,12 @@ class Communicator {
     [[nodiscard]] std::int64_t reduced(std::int64_t own, MPI_Datatype type, MPI_Op operation) {
         pass();
         std::int64_t result = 0;
-        MPI_Allreduce(&own, &result, 1, type, operation, comm_);
+        timed([&] { MPI_Allreduce(&own, &result, 1, type, operation, comm_); });
         return result;
     }
     [[nodiscard]] std::vector<int> gathered(int own) {
         std::vector<int> all(size());
-        MPI_Allgather(&own, 1, MPI_INT, all.data(), 1, MPI_INT, comm_);
+        timed([&] { MPI_Allgather(&own, 1, MPI_INT, all.data(), 1, MPI_INT, comm_); });
         return all;
     }
     /// MPI counts in int. Values beyond it would be beyond what a rank holds.
@@ -165,6 +201,8 @@ class Communicator {
     int rank_ = 0;
     int size_ = 1;
     std::uint64_t sent_ = 0;
+    double seconds_ = 0.0;
+    bool has_failed_ = false;
 };
 
 }  // namespace signum::mpi

@@ -11,6 +11,7 @@
 #include "../triangulation/distributed/cuts.hpp"
 #include "../triangulation/distributed/exchange.hpp"
 #include "../triangulation/distributed/site_store.hpp"
+#include "../triangulation/distributed/whole.hpp"
 #include "communicator.hpp"
 
 namespace signum::mpi {
@@ -120,14 +121,8 @@ RankTessellation triangulate(std::vector<Placed> sites, MPI_Comm comm, Metric me
     std::vector<Point> points;
     for (const Placed& each : sample) points.push_back({each.site.x, each.site.y});
     const Cuts cuts(std::move(points), ranks.size());
-    {
-        std::vector<std::vector<Placed>> to(ranks.size());
-        for (const Placed& each : sites)
-            to[cuts.part_of({each.site.x, each.site.y})].push_back(each);
-        sites = {};
-        for (const auto& from : ranks.exchanged(to))
-            result.sites.insert(result.sites.end(), from.begin(), from.end());
-    }
+    result.sites = ranks.dealt(
+        sites, [&](const Placed& each) { return cuts.part_of({each.site.x, each.site.y}); });
     ranks.together([&] { order_along_curve(result.sites); });
     const SiteStore store(result.sites, metric, weight_is);
     const std::vector<Placed> common = common_sites(ranks, store, sample, metric, weight_is);
@@ -147,70 +142,86 @@ RankTessellation triangulate(std::vector<Placed> sites, MPI_Comm comm, Metric me
         result.hidden = part->hidden();
     });
     result.cost = {ranks.sent(), part->told().sites, part->told().rounds,
-                   processor_seconds() - start};
+                   processor_seconds() - start - ranks.seconds()};
     return result;
 }
 
 Stretch in_order(RankTessellation& tessellation, MPI_Comm comm) {
     Communicator ranks(comm);
     const std::size_t size = ranks.size();
-    // Faces and hidden sites go to ranks by their first numbers, evenly.
-    const auto rank_of = [&](std::int64_t first) {
-        if (first < 0) return std::size_t{0};
-        return static_cast<std::size_t>(static_cast<unsigned __int128>(first) * size /
+    // Faces, edges and hidden sites go to ranks by their first sites, evenly.
+    const auto first_of = [&](std::size_t rank) {
+        return static_cast<std::int64_t>((static_cast<unsigned __int128>(tessellation.whole) * rank +
+                                          size - 1) /
+                                         size);
+    };
+    const auto rank_of = [&](std::int64_t site) {
+        if (site < 0) return std::size_t{0};
+        return static_cast<std::size_t>(static_cast<unsigned __int128>(site) * size /
                                         static_cast<unsigned __int128>(tessellation.whole));
     };
-    const auto dealt = [&]<class T, class FirstOf>(std::vector<T>& items, const FirstOf& first_of) {
-        std::vector<std::vector<T>> to(size);
-        for (const T& each : items) to[rank_of(first_of(each))].push_back(each);
-        items = {};
-        std::vector<T> result;
-        for (const auto& from : ranks.exchanged(to))
-            result.insert(result.end(), from.begin(), from.end());
-        return result;
-    };
+    const std::int64_t first = first_of(ranks.rank());
+    const std::int64_t last = first_of(ranks.rank() + 1);
+
     Stretch stretch;
-    stretch.faces = dealt(tessellation.faces, [](const WholeFace& face) { return face[0]; });
-    std::ranges::sort(stretch.faces);
-    stretch.first_face = ranks.sum_before(static_cast<std::int64_t>(stretch.faces.size()));
-    stretch.faces_of_all = ranks.sum(static_cast<std::int64_t>(stretch.faces.size()));
+    SortedFaces sorted(
+        ranks.dealt(tessellation.faces, [&](const WholeFace& face) { return rank_of(face[0]); }),
+        ranks.rank() == 0 ? -1 : first, last);
+    const auto count = static_cast<std::int64_t>(sorted.faces().size());
+    const std::vector<std::int64_t> counts = ranks.all_of<std::int64_t>(std::array{count});
+    std::vector<std::int64_t> begins(1, 0);
+    for (const std::int64_t each : counts) begins.push_back(begins.back() + each);
+    stretch.first_face = begins[ranks.rank()];
+    stretch.faces_of_all = begins.back();
     stretch.hidden =
-        dealt(tessellation.hidden, [](const WholeHidden& hidden) { return hidden.site; });
+        ranks.dealt(tessellation.hidden, [&](const WholeHidden& hidden) { return rank_of(hidden.site); });
     std::ranges::sort(stretch.hidden, {}, &WholeHidden::site);
     stretch.first_hidden = ranks.sum_before(static_cast<std::int64_t>(stretch.hidden.size()));
     stretch.hidden_of_all = ranks.sum(static_cast<std::int64_t>(stretch.hidden.size()));
 
-    const auto place_of = [&](const WholeFace& face) {
-        const auto found = std::ranges::lower_bound(stretch.faces, face);
-        if (found == stretch.faces.end() || *found != face)
-            throw std::logic_error("the parts of a tessellation do not fit together");
-        return static_cast<std::size_t>(found - stretch.faces.begin());
-    };
-    // Who has the neighbour tells its number to who has the face.
+    // Halves of edges meet where their lesser sites are, and are told to their faces.
+    std::vector<Across> across;
+    {
+        std::vector<HalfOfEdge> halves;
+        halves.reserve(3 * sorted.faces().size());
+        std::int64_t number = stretch.first_face;
+        for (const WholeFace& face : sorted.faces())
+            each_half(face, number++, [&](const HalfOfEdge& half) { halves.push_back(half); });
+        halves = ranks.dealt(halves, [&](const HalfOfEdge& half) { return rank_of(half.lesser); });
+        ranks.together([&] { across = joined(halves, first, last); });
+    }
+    // Of edges that are not alone between their sites, who has the neighbour tells its number.
     struct Numbered {
         WholeFace face;
         std::int64_t corner;
         std::int64_t neighbour;
     };
-    std::vector<Numbered> numbered;
-    {
-        const std::vector<Adjacency> coming = dealt(
-            tessellation.adjacencies, [](const Adjacency& each) { return each.neighbour[0]; });
-        ranks.together([&] {
-            for (const auto& [face, corner, neighbour] : coming)
-                numbered.push_back({face, corner,
-                                    stretch.first_face +
-                                        static_cast<std::int64_t>(place_of(neighbour))});
-        });
-    }
-    numbered = dealt(numbered, [](const Numbered& each) { return each.face[0]; });
-    ranks.together([&] {
-        if (numbered.size() != 3 * stretch.faces.size())
-            throw std::logic_error("the parts of a tessellation do not fit together");
-        stretch.neighbours.resize(stretch.faces.size());
-        for (const auto& [face, corner, neighbour] : numbered)
-            stretch.neighbours[place_of(face)][static_cast<std::size_t>(corner)] = neighbour;
+    std::vector<Adjacency> asked = ranks.dealt(tessellation.adjacencies, [&](const Adjacency& each) {
+        return rank_of(each.neighbour[0]);
     });
+    std::vector<Numbered> numbered;
+    ranks.together([&] {
+        for (const auto& [face, corner, neighbour] : asked)
+            numbered.push_back(
+                {face, corner,
+                 stretch.first_face + static_cast<std::int64_t>(sorted.place_of(neighbour))});
+    });
+    numbered = ranks.dealt(numbered, [&](const Numbered& each) { return rank_of(each.face[0]); });
+    across = ranks.dealt(across, [&](const Across& each) {
+        const auto end = std::ranges::upper_bound(begins, each.place / 4);
+        return static_cast<std::size_t>(end - begins.begin()) - 1;
+    });
+    ranks.together([&] {
+        if (across.size() + numbered.size() != 3 * sorted.faces().size())
+            throw std::logic_error("the parts of a tessellation do not fit together");
+        stretch.neighbours.resize(sorted.faces().size());
+        for (const auto& [place, neighbour] : across)
+            stretch.neighbours[static_cast<std::size_t>(place / 4 - stretch.first_face)]
+                              [static_cast<std::size_t>(place % 4)] = neighbour;
+        for (const auto& [face, corner, neighbour] : numbered)
+            stretch.neighbours[sorted.place_of(face)][static_cast<std::size_t>(corner)] = neighbour;
+    });
+    stretch.faces = sorted.faces();
     return stretch;
 }
 

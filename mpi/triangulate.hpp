@@ -19,7 +19,7 @@ struct Cost {
     std::uint64_t bytes_sent = 0;    ///< by this rank, to others
     std::size_t sites_told = 0;      ///< of others, that this rank had to know
     std::size_t rounds = 0;          ///< of questions
-    double processor_seconds = 0.0;  ///< of this rank, waiting included
+    double processor_seconds = 0.0;  ///< of this rank, without what MPI took, waiting most of it
 };
 
 /// The part of the whole that a rank has.

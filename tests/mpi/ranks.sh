@@ -29,9 +29,9 @@ ranks() {
 same() {
   local name=$1 sites=$2 metric=$3
   shift 3
-  "$signum" triangulate "$sites" --metric "$metric" -q -o whole.json -o whole.npy 2>/dev/null
+  "$signum" triangulate "$sites" --metric "$metric" --quiet -o whole.json -o whole.npy 2>/dev/null
   for count in "$@"; do
-    ranks "$count" triangulate "$sites" --metric "$metric" -q -o found.json -o found.npy -o "found$count.h5" ||
+    ranks "$count" triangulate "$sites" --metric "$metric" --quiet -o found.json -o found.npy -o "found$count.h5" ||
       { fail "$name, $metric, $count ranks: it does not end well"; continue; }
     cmp -s whole.json found.json || fail "$name, $metric, $count ranks: another JSON"
     cmp -s whole.npy found.npy || fail "$name, $metric, $count ranks: other faces"
@@ -62,7 +62,7 @@ wrong() {
   ranks 3 triangulate "$@" -o out.h5 >said 2>&1 || result=$?
   [ "$result" -eq "$code" ] || fail "$name: exit code $result, not $code: $(cat said)"
   [ "$(grep -c 'signum-mpi: ' said)" -eq 1 ] || fail "$name: said $(grep -c 'signum-mpi: ' said) times: $(cat said)"
-  grep -q "$pattern" said || fail "$name: $(cat said)"
+  grep --quiet "$pattern" said || fail "$name: $(cat said)"
   [ -z "$(ls out.h5* 2>/dev/null)" ] || fail "$name: leaves $(ls out.h5*)"
 }
 wrong "no file" 2 'none.txt' none.txt
@@ -91,11 +91,11 @@ with h5py.File("in.h5", "w") as file:
 numpy.save("in.npy", numpy.column_stack([sites, radii]))
 numpy.save("single.npy", sites.astype("f4"))
 E
-  ranks 3 triangulate in.h5:/points --radii /radii --metric euclidean -q -o by_h5.npy
-  ranks 2 triangulate in.npy --metric euclidean -q -o by_npy.npy
+  ranks 3 triangulate in.h5:/points --radii /radii --metric euclidean --quiet -o by_h5.npy
+  ranks 2 triangulate in.npy --metric euclidean --quiet -o by_npy.npy
   cmp -s by_h5.npy by_npy.npy || fail "points and radii of HDF5"
-  ranks 3 triangulate in.h5:/single -q -o by_h5.npy -o out.h5
-  "$signum" triangulate single.npy -q -o by_npy.npy 2>/dev/null
+  ranks 3 triangulate in.h5:/single --quiet -o by_h5.npy -o out.h5
+  "$signum" triangulate single.npy --quiet -o by_npy.npy 2>/dev/null
   cmp -s by_h5.npy by_npy.npy || fail "floats of HDF5"
   "$python" - <<'E' || fail "h5py: what is written"
 import h5py, numpy
@@ -116,7 +116,7 @@ E
   wrong "radii beside no sites" 2 'an array of 1 axes\|rows of 1 numbers' in.h5:/radii
 fi
 if "$python" -c 'import vtkmodules.vtkIOHDF' 2>/dev/null; then
-  ranks 2 triangulate square.txt -q -o square.vtkhdf
+  ranks 2 triangulate square.txt --quiet -o square.vtkhdf
   "$python" - <<'E' || fail "VTK does not read it"
 from vtkmodules.vtkIOHDF import vtkHDFReader
 reader = vtkHDFReader()

@@ -2,6 +2,7 @@
 
 #include <mpi.h>
 
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -64,74 +65,109 @@ void triangulate(Communicator& ranks, const Call& call) {
     const double start = MPI_Wtime();
     const Metric metric = metric_of(call.metric);
     const std::string& thirds = call.weights.empty() ? call.radii : call.weights;
-    const Slices slices = read_slices(ranks, call.sites, thirds);
+    Slices slices;
+    ranks.together([&] { slices = read_slices(ranks, call.sites, thirds); });
     const bool has_thirds = ranks.most(slices.has_thirds ? 1 : 0) != 0;
     const bool are_weights = call.thirds_are_weights || !call.weights.empty();
     if (ranks.rank() == 0 && !call.is_quiet && has_thirds && thirds.empty())
         fmt::print(stderr, "{}: the third column is taken for {}\n", call.sites,
                    are_weights ? "weights" : "radii");
-    RankTessellation built = mpi::triangulate(
-        slices.sites, ranks.get(), metric, are_weights ? WeightIs::weight : WeightIs::radius);
-    const Stretch stretch = in_order(built, ranks.get());
+    const WeightIs weight_is = are_weights ? WeightIs::weight : WeightIs::radius;
+    RankTessellation built;
+    Stretch stretch;
+    ranks.together([&] {
+        built = mpi::triangulate(slices.sites, ranks.get(), metric, weight_is);
+        stretch = in_order(built, ranks.get());
+    });
     for (const std::string& output : call.outputs)
-        write(ranks, output,
-              {slices.sites, built.whole, stretch, metric,
-               are_weights ? WeightIs::weight : WeightIs::radius});
+        ranks.together([&] {
+            write(ranks, output, {slices.sites, built.whole, stretch, metric, weight_is});
+        });
     summarize(ranks, stretch, built, MPI_Wtime() - start, call);
 }
 
-/// Says on one rank what is wrong there.
-int report(std::size_t rank, const char* message, int code) {
-    std::fprintf(stderr, "signum-mpi: rank %zu: %s\n", rank, message);
-    return code;
+/// How a rank has ended.
+struct End {
+    int code = 0;
+    std::string message;  ///< what there is to say; of ranks that have the same, one says it
+};
+
+/// Help and version, and calls that cannot be, are the same on all ranks.
+End end_of_parsing(const CLI::App& tool, const CLI::ParseError& error, bool speaks) {
+    if (error.get_exit_code() != 0) return {2, error.what()};
+    if (speaks) tool.exit(error);
+    return {};
 }
 
-int run(Communicator& ranks, int count, char** words) {
-    CLI::App tool("Tessellations of the plane from sites that many ranks hold together: the result of\n"
-                  "signum triangulate, and the same bytes for every number of ranks.\n"
-                  "    mpirun -n 8 signum-mpi triangulate sites.h5:/points --radii /radii -o faces.h5");
+End run(Communicator& ranks, int count, char** words) {
+    CLI::App tool(
+        "Tessellations of the plane from sites that many ranks hold together: the result of\n"
+        "signum triangulate, and the same bytes for every number of ranks.\n"
+        "    mpirun -n 8 signum-mpi triangulate sites.h5:/points --radii /radii -o faces.h5");
     tool.require_subcommand(1);
     tool.set_version_flag("--version", SIGNUM_VERSION);
     Call call;
     CLI::App* const command = tool.add_subcommand(
         "triangulate", "Faces of all sites, from text (x y, x y r), .npy, .f64 or FILE.h5:/path");
     command->add_option("SITES", call.sites, "FILE, or FILE.h5:/path/to/coordinates")->required();
-    command->add_option("-m,--metric", call.metric, "power, euclidean, manhattan or supremum (power)");
-    command->add_option("--radii", call.radii, "where in FILE.h5 the radii are");
-    command->add_option("--weights", call.weights, "the same of weights, in the power metric");
-    command->add_flag("--third-is-weight", call.thirds_are_weights, "the third column is a weight, not a radius");
-    command->add_option("-o,--output", call.outputs, "FILE.h5 or .vtkhdf, .npy, .i32, .json; more than once if you like")
-        ->required()
-        ->each([](const std::string& name) {
-            if (!can_write(name))
-                throw CLI::ValidationError("-o", name + " ends as nothing that is written: .h5, .vtkhdf, .npy, .i32, .json");
-        });
-    command->add_flag("-q,--quiet", call.is_quiet, "no summary");
-    const bool speaks = ranks.rank() == 0;
+    command->add_option("-m,--metric", call.metric,
+                        "power, euclidean, manhattan or supremum (power)");
+    command->add_option("--radii", call.radii, "Where in FILE.h5 the radii are");
+    command->add_option("--weights", call.weights, "The same of weights, in the power metric");
+    command->add_flag("--third-is-weight", call.thirds_are_weights,
+                      "The third column is a weight, not a radius");
+    command
+        ->add_option("-o,--output", call.outputs,
+                     "FILE.h5 or .vtkhdf, .npy, .i32, .json; more than once if you like")
+        ->required();
+    command->add_flag("--quiet", call.is_quiet, "No summary on standard error");
     try {
-        tool.parse(count, words);
+        ranks.together([&] {
+            tool.parse(count, words);
+            static_cast<void>(metric_of(call.metric));
+            for (const std::string& name : call.outputs)
+                if (!can_write(name))
+                    throw CLI::ValidationError(
+                        "-o", name + " ends as nothing that is written: .h5, .vtkhdf, .npy, .i32, "
+                                     ".json");
+        });
         triangulate(ranks, call);
-        return 0;
+        return {};
     } catch (const CLI::ParseError& error) {
-        if (!speaks) return error.get_exit_code() == 0 ? 0 : 2;
-        if (error.get_exit_code() == 0) return tool.exit(error);
-        std::fprintf(stderr, "signum-mpi: %s\n", error.what());
-        return 2;
+        return end_of_parsing(tool, error, ranks.rank() == 0);
     } catch (const OtherFailed&) {
-        return 0;  // who has failed says why
+        return {2, ""};  // who has failed says why
     } catch (const InputError& error) {
-        return report(ranks.rank(), error.what(), 2);
+        return {2, error.what()};
     } catch (const NameError& error) {
-        return report(ranks.rank(), error.what(), 2);
+        return {2, error.what()};
     } catch (const distributed::NoStructure& error) {
-        return speaks ? report(0, fmt::format("{}: {}; signum triangulate takes them", call.sites, error.what()).c_str(), 2) : 2;
+        return {2, fmt::format("{}: {}; signum triangulate takes them", call.sites, error.what())};
     } catch (const std::invalid_argument& error) {
-        return report(ranks.rank(), error.what(), 2);
+        return {2, error.what()};
     } catch (const std::bad_alloc&) {
-        return report(ranks.rank(), "not enough memory; take more ranks, on more machines", 3);
+        return {3, "not enough memory; take more ranks, on more machines"};
     } catch (const std::exception& error) {
-        return report(ranks.rank(), error.what(), 3);
+        return {3, error.what()};
     }
+}
+
+/// All ranks end alike, and the first that knows why says so.
+int end(Communicator& ranks, const End& own) {
+    const auto say = [&] {
+        std::fprintf(stderr, "signum-mpi: rank %zu: %s\n", ranks.rank(), own.message.c_str());
+    };
+    if (own.code != 0 && !ranks.has_failed()) {
+        // The others wait for what this rank will not send.
+        say();
+        MPI_Abort(MPI_COMM_WORLD, own.code);
+    }
+    const int most = static_cast<int>(ranks.size());
+    const std::array<int, 2> mine = {-own.code, own.message.empty() ? most : static_cast<int>(ranks.rank())};
+    std::array<int, 2> all{};
+    MPI_Allreduce(mine.data(), all.data(), 2, MPI_INT, MPI_MIN, ranks.get());
+    if (static_cast<std::size_t>(all[1]) == ranks.rank()) say();
+    return -all[0];
 }
 
 }  // namespace
@@ -142,9 +178,7 @@ int main(int count, char** words) {
     int code = 3;
     {
         signum::mpi::Communicator ranks(MPI_COMM_WORLD);
-        const int own = signum::mpi::run(ranks, count, words);
-        // All end alike.
-        MPI_Allreduce(&own, &code, 1, MPI_INT, MPI_MAX, ranks.get());
+        code = signum::mpi::end(ranks, signum::mpi::run(ranks, count, words));
     }
     MPI_Finalize();
     return code;

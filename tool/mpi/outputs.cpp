@@ -127,6 +127,7 @@ class Group {
                                     untimed(H5P_DATASET_CREATE), H5P_DEFAULT),
                          H5Dclose);
         require(set.is_there(), name_);
+        if (all == 0) return;
         const std::array<hsize_t, 2> begin = {first, 0};
         const std::array<hsize_t, 2> extent = {own.size() / columns, columns};
         const Handle memory(H5Screate_simple(axes, extent.data(), nullptr), H5Sclose);

@@ -5,6 +5,7 @@
 
 #include "common.hpp"
 #include "cuts.hpp"
+#include "whole.hpp"
 
 namespace signum::distributed {
 
@@ -71,14 +72,13 @@ WholeParts settle_in_parts(std::span<const Placed> sites, Metric metric, WeightI
 
 TessellationArrays arrays_of(const WholeParts& whole, std::int64_t sites, Metric metric,
                              WeightIs weight_is) {
-    std::vector<WholeFace> faces = whole.faces;
-    std::ranges::sort(faces);
-    const auto number_of = [&](const WholeFace& face) {
-        const auto found = std::ranges::lower_bound(faces, face);
-        if (found == faces.end() || *found != face)
-            throw std::logic_error("parts of a tessellation do not fit together");
-        return static_cast<Index>(found - faces.begin());
-    };
+    SortedFaces sorted(whole.faces, -1, sites);
+    const std::vector<WholeFace>& faces = sorted.faces();
+    std::vector<HalfOfEdge> halves;
+    std::int64_t number = 0;
+    for (const WholeFace& face : faces)
+        each_half(face, number++, [&](const HalfOfEdge& half) { halves.push_back(half); });
+
     TessellationArrays arrays;
     arrays.metric = metric;
     arrays.weight_is = weight_is;
@@ -87,9 +87,12 @@ TessellationArrays arrays_of(const WholeParts& whole, std::int64_t sites, Metric
         arrays.faces.push_back({static_cast<Index>(face[0]), static_cast<Index>(face[1]),
                                 static_cast<Index>(face[2])});
     arrays.neighbours.assign(faces.size(), {-1, -1, -1});
+    for (const auto& [place, neighbour] : joined(halves, 0, sites))
+        arrays.neighbours[static_cast<std::size_t>(place / 4)]
+                         [static_cast<std::size_t>(place % 4)] = static_cast<Index>(neighbour);
     for (const auto& [face, corner, neighbour] : whole.adjacencies)
-        arrays.neighbours[static_cast<std::size_t>(number_of(face))]
-                         [static_cast<std::size_t>(corner)] = number_of(neighbour);
+        arrays.neighbours[sorted.place_of(face)][static_cast<std::size_t>(corner)] =
+            static_cast<Index>(sorted.place_of(neighbour));
     for (const auto& [site, by] : whole.hidden)
         arrays.hidden.push_back({static_cast<Index>(site), static_cast<Index>(by)});
     std::ranges::sort(arrays.hidden, {}, &Hidden::site);

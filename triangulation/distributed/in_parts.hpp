@@ -26,7 +26,7 @@ class SharedExchange final : public Exchange {
     std::span<const SiteStore> stores_;
 };
 
-/// What the whole is put together from. Sorted or not, and each face and adjacency once.
+/// What the whole is put together from (Part), in no order, each face once.
 struct WholeParts {
     std::vector<WholeFace> faces;
     std::vector<Adjacency> adjacencies;

@@ -87,16 +87,23 @@ class PartOf final : public Part {
         }
     }
     void each_adjacency(const std::function<void(const Adjacency&)>& put) const override {
-        for (Index f = 0; f < topology_.faces(); ++f) {
-            if (topology_.is_vacant(f)) continue;
-            for (unsigned k = 0; k < 3; ++k) {
-                const HalfEdge h = Topology::first_edge(f) + k;
-                if (lesser(topology_.origin(h), topology_.target(h)) >= static_cast<Index>(own_))
-                    continue;
-                // The corner across is that before the edge's origin.
-                const auto first = static_cast<std::int64_t>(rotation(f));
-                put({whole_face(f), (static_cast<std::int64_t>(k) + 2 - first + 3) % 3,
-                     whole_face(Topology::face(topology_.twin(h)))});
+        if constexpr (Kernel::is_straight) return;
+        const std::vector<Index> face_of =
+            triangulation::faces_of_vertices(topology_, sites_.size(), Workers(1));
+        std::vector<std::pair<Index, HalfEdge>> spokes;
+        for (Index v = 0; at(v) < own_; ++v) {
+            if (face_of[at(v)] < 0) continue;
+            spokes.clear();
+            for (const HalfEdge h : topology_.fan(topology_.spoke(face_of[at(v)], v)))
+                if (const Index u = topology_.target(h); lesser(v, u) == v) spokes.push_back({u, h});
+            std::ranges::sort(spokes);
+            for (std::size_t k = 0; k < spokes.size(); ++k) {
+                const auto is_to = [&](std::size_t other) {
+                    return other < spokes.size() && spokes[other].first == spokes[k].first;
+                };
+                if (!is_to(k + 1) && !(k > 0 && is_to(k - 1))) continue;
+                for (const HalfEdge h : {spokes[k].second, topology_.twin(spokes[k].second)})
+                    put(adjacency(h));
             }
         }
     }
@@ -487,6 +494,13 @@ class PartOf final : public Part {
         const auto& v = topology_.vertices(f);
         const unsigned first = rotation(f);
         return {id(v[first]), id(v[(first + 1) % 3]), id(v[(first + 2) % 3])};
+    }
+
+    [[nodiscard]] Adjacency adjacency(HalfEdge h) const noexcept {
+        const Index f = Topology::face(h);
+        // The corner across is that before the edge's origin.
+        const std::int64_t corner = ((h & 3) + 2 + 3 - rotation(f)) % 3;
+        return {whole_face(f), corner, whole_face(Topology::face(topology_.twin(h)))};
     }
 
     std::size_t own_ = 0;

@@ -54,7 +54,7 @@ struct PartBounds {
 /// By the numbers of its sites in the whole; -1 for infinity, which comes first, or else the least.
 using WholeFace = std::array<std::int64_t, 3>;
 
-/// What faces the whole is to have across an edge: that opposite vertex `corner` of `face`.
+/// Which face is across an edge of another one: that opposite vertex `corner` of `face`.
 struct Adjacency {
     WholeFace face;
     std::int64_t corner;
@@ -88,7 +88,8 @@ class Part {
 
     /// The faces whose least site is an own one.
     virtual void each_face(const std::function<void(const WholeFace&)>& put) const = 0;
-    /// Both sides of each edge whose lesser site is an own one.
+    /// Both sides of each edge whose lesser site is an own one, where there are several between its
+    /// two sites: of all others the faces tell.
     virtual void each_adjacency(const std::function<void(const Adjacency&)>& put) const = 0;
     /// The own sites that are hidden, and who is nearest to their centres in the whole.
     [[nodiscard]] virtual std::vector<WholeHidden> hidden() const = 0;
