@@ -194,7 +194,8 @@ class Communicator {
         return begins;
     }
     [[nodiscard]] static std::size_t total(const std::vector<int>& counts) {
-        return static_cast<std::size_t>(std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
+        return static_cast<std::size_t>(
+            std::accumulate(counts.begin(), counts.end(), std::int64_t{0}));
     }
 
     MPI_Comm comm_ = MPI_COMM_NULL;

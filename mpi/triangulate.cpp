@@ -121,13 +121,14 @@ RankTessellation triangulate(std::vector<Placed> sites, MPI_Comm comm, Metric me
     std::vector<Point> points;
     for (const Placed& each : sample) points.push_back({each.site.x, each.site.y});
     const Cuts cuts(std::move(points), ranks.size());
-    result.sites = ranks.dealt(
-        sites, [&](const Placed& each) { return cuts.part_of({each.site.x, each.site.y}); });
+    result.sites = ranks.dealt(sites, [&](const Placed& each) {
+        return cuts.part_of({each.site.x, each.site.y});
+    });
     ranks.together([&] { order_along_curve(result.sites); });
     const SiteStore store(result.sites, metric, weight_is);
     const std::vector<Placed> common = common_sites(ranks, store, sample, metric, weight_is);
-    const std::vector<PartBounds> bounds = ranks.all_of<PartBounds>(
-        std::array{PartBounds{store.extent_but(common), store.spacing()}});
+    const std::vector<PartBounds> bounds =
+        ranks.all_of<PartBounds>(std::array{PartBounds{store.extent_but(common), store.spacing()}});
 
     std::vector<Placed> others;
     std::ranges::copy_if(common, std::back_inserter(others), [&](const Placed& each) {
@@ -140,6 +141,11 @@ RankTessellation triangulate(std::vector<Placed> sites, MPI_Comm comm, Metric me
         part->each_face([&](const WholeFace& face) { result.faces.push_back(face); });
         part->each_adjacency([&](const Adjacency& each) { result.adjacencies.push_back(each); });
         result.hidden = part->hidden();
+        part->each_star([&](std::int64_t site, std::span<const std::int64_t> neighbours) {
+            const std::size_t first = result.neighbours.size();
+            result.neighbours.insert(result.neighbours.end(), neighbours.begin(), neighbours.end());
+            result.stars.push_back({site, first, result.neighbours.size()});
+        });
     });
     result.cost = {ranks.sent(), part->told().sites, part->told().rounds,
                    processor_seconds() - start - ranks.seconds()};
@@ -151,9 +157,8 @@ Stretch in_order(RankTessellation& tessellation, MPI_Comm comm) {
     const std::size_t size = ranks.size();
     // Faces, edges and hidden sites go to ranks by their first sites, evenly.
     const auto first_of = [&](std::size_t rank) {
-        return static_cast<std::int64_t>((static_cast<unsigned __int128>(tessellation.whole) * rank +
-                                          size - 1) /
-                                         size);
+        return static_cast<std::int64_t>(
+            (static_cast<unsigned __int128>(tessellation.whole) * rank + size - 1) / size);
     };
     const auto rank_of = [&](std::int64_t site) {
         if (site < 0) return std::size_t{0};
@@ -173,8 +178,8 @@ Stretch in_order(RankTessellation& tessellation, MPI_Comm comm) {
     for (const std::int64_t each : counts) begins.push_back(begins.back() + each);
     stretch.first_face = begins[ranks.rank()];
     stretch.faces_of_all = begins.back();
-    stretch.hidden =
-        ranks.dealt(tessellation.hidden, [&](const WholeHidden& hidden) { return rank_of(hidden.site); });
+    stretch.hidden = ranks.dealt(tessellation.hidden,
+                                 [&](const WholeHidden& hidden) { return rank_of(hidden.site); });
     std::ranges::sort(stretch.hidden, {}, &WholeHidden::site);
     stretch.first_hidden = ranks.sum_before(static_cast<std::int64_t>(stretch.hidden.size()));
     stretch.hidden_of_all = ranks.sum(static_cast<std::int64_t>(stretch.hidden.size()));
@@ -196,9 +201,9 @@ Stretch in_order(RankTessellation& tessellation, MPI_Comm comm) {
         std::int64_t corner;
         std::int64_t neighbour;
     };
-    std::vector<Adjacency> asked = ranks.dealt(tessellation.adjacencies, [&](const Adjacency& each) {
-        return rank_of(each.neighbour[0]);
-    });
+    std::vector<Adjacency> asked =
+        ranks.dealt(tessellation.adjacencies,
+                    [&](const Adjacency& each) { return rank_of(each.neighbour[0]); });
     std::vector<Numbered> numbered;
     ranks.together([&] {
         for (const auto& [face, corner, neighbour] : asked)

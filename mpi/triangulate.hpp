@@ -22,13 +22,22 @@ struct Cost {
     double processor_seconds = 0.0;  ///< of this rank, without what MPI took, waiting most of it
 };
 
+/// Who is around a site.
+struct Star {
+    std::int64_t site;
+    std::size_t first;  ///< of its neighbours in RankTessellation::neighbours
+    std::size_t last;
+};
+
 /// The part of the whole that a rank has.
 struct RankTessellation {
-    std::int64_t whole = 0;                            ///< sites of all ranks
-    std::vector<distributed::Placed> sites;            ///< those that this rank owns now
-    std::vector<distributed::WholeFace> faces;         ///< whose least site is one of them
-    std::vector<distributed::Adjacency> adjacencies;   ///< of edges whose lesser site is one
-    std::vector<distributed::WholeHidden> hidden;      ///< of the sites, those that are
+    std::int64_t whole = 0;                           ///< sites of all ranks
+    std::vector<distributed::Placed> sites;           ///< those that this rank owns now
+    std::vector<Star> stars;                          ///< of each of them that is visible
+    std::vector<std::int64_t> neighbours;             ///< counterclockwise; -1 for infinity
+    std::vector<distributed::WholeFace> faces;        ///< whose least site is one of them
+    std::vector<distributed::Adjacency> adjacencies;  ///< of edges whose lesser site is one
+    std::vector<distributed::WholeHidden> hidden;     ///< of the sites, those that are
     Cost cost;
 };
 

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Installs what is missing: on Debian and its relatives with apt-get, and only as root.
 #
-#   scripts/install_dependencies.sh [build|test|benchmark]
+#   scripts/install_dependencies.sh [build|test|benchmark|mpi]
 #
 # build      what the library and the tool need (the default)
 # test       the same, and what the tests need
 # benchmark  the same as build, and what the benchmarks need, the peers in space included
+# mpi        the same as build, and what signum-mpi needs (docs/scale.md)
 #
 # Quiet and quick when everything is there. Otherwise and not as root: prints the one line to type and
 # ends with exit code 3, as it does where the compiler is too old.
@@ -21,6 +22,7 @@ test=("${build[@]}" libgtest-dev librapidcheck-dev gnuplot-nox valgrind gappa do
   lintian "${python[@]}")
 # The last three are the peers in space.
 benchmark=("${build[@]}" libbenchmark-dev libcgal-dev voro++-dev voronota)
+mpi=("${build[@]}" pkg-config openmpi-bin libopenmpi-dev libhdf5-openmpi-dev)
 
 say() { printf 'signum: %s\n' "$*" >&2; }
 
@@ -60,8 +62,9 @@ case ${1:-build} in
   build) wanted=("${build[@]}") ;;
   test) wanted=("${test[@]}") ;;
   benchmark) wanted=("${benchmark[@]}") ;;
+  mpi) wanted=("${mpi[@]}") ;;
   *)
-    say "install_dependencies.sh: '$1' is none of build, test, benchmark"
+    say "install_dependencies.sh: '$1' is none of build, test, benchmark, mpi"
     exit 2
     ;;
 esac

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "../../mpi/triangulate.hpp"
 #include "../../triangulation/metric.hpp"
@@ -38,7 +38,8 @@ Metric metric_of(const std::string& name) {
         for (const std::string_view alias : traits.aliases)
             if (!alias.empty() && name == alias) return traits.metric;
     }
-    throw CLI::ValidationError("--metric", fmt::format("'{}' is none of power, euclidean, manhattan, supremum", name));
+    throw CLI::ValidationError(
+        "--metric", fmt::format("'{}' is none of power, euclidean, manhattan, supremum", name));
 }
 
 /// One line: what was built, and what the ranks told one another.
@@ -48,8 +49,10 @@ void summarize(Communicator& ranks, const Stretch& stretch, const RankTessellati
     const std::int64_t most_owned = ranks.most(owned);
     const std::int64_t told = ranks.sum(static_cast<std::int64_t>(built.cost.sites_told));
     const std::int64_t sent = ranks.sum(static_cast<std::int64_t>(built.cost.bytes_sent));
-    const std::int64_t all = ranks.sum(static_cast<std::int64_t>(1e6 * built.cost.processor_seconds));
-    const std::int64_t busiest = ranks.most(static_cast<std::int64_t>(1e6 * built.cost.processor_seconds));
+    const std::int64_t all =
+        ranks.sum(static_cast<std::int64_t>(1e6 * built.cost.processor_seconds));
+    const std::int64_t busiest =
+        ranks.most(static_cast<std::int64_t>(1e6 * built.cost.processor_seconds));
     if (ranks.rank() != 0 || call.is_quiet) return;
     fmt::print(stderr,
                "{} sites, {} hidden, {} faces, {} metric; {} rank{}, {:.3g} s\n"
@@ -128,8 +131,9 @@ End run(Communicator& ranks, int count, char** words) {
             for (const std::string& name : call.outputs)
                 if (!can_write(name))
                     throw CLI::ValidationError(
-                        "-o", name + " ends as nothing that is written: .h5, .vtkhdf, .npy, .i32, "
-                                     ".json");
+                        "-o", name +
+                                  " ends as nothing that is written: .h5, .vtkhdf, .npy, .i32, "
+                                  ".json");
         });
         triangulate(ranks, call);
         return {};
@@ -163,7 +167,8 @@ int end(Communicator& ranks, const End& own) {
         MPI_Abort(MPI_COMM_WORLD, own.code);
     }
     const int most = static_cast<int>(ranks.size());
-    const std::array<int, 2> mine = {-own.code, own.message.empty() ? most : static_cast<int>(ranks.rank())};
+    const std::array<int, 2> mine = {-own.code,
+                                     own.message.empty() ? most : static_cast<int>(ranks.rank())};
     std::array<int, 2> all{};
     MPI_Allreduce(mine.data(), all.data(), 2, MPI_INT, MPI_MIN, ranks.get());
     if (static_cast<std::size_t>(all[1]) == ranks.rank()) say();

@@ -83,7 +83,8 @@ void write_faces(Communicator& ranks, const std::string& name, const Whole& whol
     const bool is_long = whole.sites > std::numeric_limits<std::int32_t>::max();
     std::ostringstream head;
     if (has_head)
-        put_npy_head(head, is_long ? "i8" : "i4", static_cast<std::size_t>(whole.stretch.faces_of_all), 3);
+        put_npy_head(head, is_long ? "i8" : "i4",
+                     static_cast<std::size_t>(whole.stretch.faces_of_all), 3);
     const std::string bytes = head.str();
     ranks.together([&] {
         if (ranks.rank() == 0) file.write(0, bytes.data(), bytes.size());
@@ -111,7 +112,9 @@ void require(bool is_done, const std::string& name) {
 class Group {
  public:
     Group(const std::string& name, const Handle& file, const char* path)
-        : name_(name), group_(H5Gcreate2(file, path, H5P_DEFAULT, untimed(H5P_GROUP_CREATE), H5P_DEFAULT), H5Gclose) {
+        : name_(name),
+          group_(H5Gcreate2(file, path, H5P_DEFAULT, untimed(H5P_GROUP_CREATE), H5P_DEFAULT),
+                 H5Gclose) {
         require(group_.is_there(), name_);
     }
     [[nodiscard]] const Handle& get() const noexcept { return group_; }
@@ -147,14 +150,17 @@ class Group {
         H5Tset_size(type, text.size());
         H5Tset_strpad(type, H5T_STR_NULLPAD);
         const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-        const Handle made(H5Acreate2(group_, attribute, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+        const Handle made(H5Acreate2(group_, attribute, type, space, H5P_DEFAULT, H5P_DEFAULT),
+                          H5Aclose);
         require(made.is_there() && H5Awrite(made, type, text.data()) >= 0, name_);
     }
     void put_version(std::int64_t major, std::int64_t minor) const {
         const std::array<std::int64_t, 2> version = {major, minor};
         const hsize_t two = 2;
         const Handle space(H5Screate_simple(1, &two, nullptr), H5Sclose);
-        const Handle made(H5Acreate2(group_, "Version", H5T_STD_I64LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+        const Handle made(
+            H5Acreate2(group_, "Version", H5T_STD_I64LE, space, H5P_DEFAULT, H5P_DEFAULT),
+            H5Aclose);
         require(made.is_there() && H5Awrite(made, H5T_NATIVE_INT64, version.data()) >= 0, name_);
     }
 
@@ -187,9 +193,9 @@ void write_hdf5(Communicator& ranks, const std::string& name, const Whole& whole
 
     ranks.together([&] {
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-        const Handle file(H5Fcreate(unfinished(name).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT,
-                                    access_by(ranks.get())),
-                          H5Fclose);
+        const Handle file(
+            H5Fcreate(unfinished(name).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access_by(ranks.get())),
+            H5Fclose);
         require(file.is_there(), name);
         const Group vtk(name, file, "/VTKHDF");
         vtk.put_version(1, 0);
@@ -210,10 +216,12 @@ void write_hdf5(Communicator& ranks, const std::string& name, const Whole& whole
         vtk.put<double>("Points", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, places, first_site, sites, 3);
         vtk.put_longs("Connectivity", corners, 3 * ours(first), 3 * all, 1);
         std::vector<std::int64_t> offsets;
-        for (std::int64_t k = is_first ? 0 : 1; k <= finite; ++k) offsets.push_back(3 * (first + k));
+        for (std::int64_t k = is_first ? 0 : 1; k <= finite; ++k)
+            offsets.push_back(3 * (first + k));
         vtk.put_longs("Offsets", offsets, is_first ? 0 : ours(first) + 1, all + 1, 1);
         const std::vector<std::uint8_t> triangles(static_cast<std::size_t>(finite), 5);
-        vtk.put<std::uint8_t>("Types", H5T_STD_U8LE, H5T_NATIVE_UINT8, triangles, ours(first), all, 1);
+        vtk.put<std::uint8_t>("Types", H5T_STD_U8LE, H5T_NATIVE_UINT8, triangles, ours(first), all,
+                              1);
         const Group point_data(name, file, "/VTKHDF/PointData");
         point_data.put<double>(whole.weight_is == WeightIs::weight ? "weight" : "radius",
                                H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, thirds, first_site, sites, 1);
@@ -225,7 +233,8 @@ void write_hdf5(Communicator& ranks, const std::string& name, const Whole& whole
             for (const auto& row : items) numbers.insert(numbers.end(), row.begin(), row.end());
             return numbers;
         };
-        own.put_longs("faces", rows(stretch.faces), ours(stretch.first_face), ours(stretch.faces_of_all), 3);
+        own.put_longs("faces", rows(stretch.faces), ours(stretch.first_face),
+                      ours(stretch.faces_of_all), 3);
         own.put_longs("neighbours", rows(stretch.neighbours), ours(stretch.first_face),
                       ours(stretch.faces_of_all), 3);
         std::vector<std::int64_t> hidden;
@@ -238,15 +247,17 @@ void write_hdf5(Communicator& ranks, const std::string& name, const Whole& whole
 void write_json(Communicator& ranks, const std::string& name, const Whole& whole) {
     constexpr std::int64_t most = 20'000'000;
     if (whole.stretch.faces_of_all > most)
-        throw std::invalid_argument(fmt::format("{}: {} faces; JSON is written by one rank, which "
-                                                "holds them all: {} at most. Write .h5 or .npy",
-                                                name, whole.stretch.faces_of_all, most));
+        throw std::invalid_argument(
+            fmt::format("{}: {} faces; JSON is written by one rank, which "
+                        "holds them all: {} at most. Write .h5 or .npy",
+                        name, whole.stretch.faces_of_all, most));
     // To the first rank.
     const auto gathered = [&]<class T>(const std::vector<T>& own) {
         std::vector<std::vector<T>> to(ranks.size());
         to[0] = own;
         std::vector<T> all;
-        for (const auto& from : ranks.exchanged(to)) all.insert(all.end(), from.begin(), from.end());
+        for (const auto& from : ranks.exchanged(to))
+            all.insert(all.end(), from.begin(), from.end());
         return all;
     };
     const auto faces = gathered(whole.stretch.faces);

@@ -86,7 +86,8 @@ bool is_header(std::string_view line) {
     std::string names;
     for (const char c : line)
         if (c != ' ' && c != '\t' && c != '"')
-            names += c == ';' ? ',' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+            names +=
+                c == ';' ? ',' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return names == "x,y" || names == "x,y,r" || names == "x,y,radius" || names == "x,y,w" ||
            names == "x,y,weight";
 }
@@ -105,7 +106,8 @@ Slices read_text(Communicator& ranks, const std::string& name) {
     std::string text;
     const auto read = [&] {
         const PlainLines plain = read_plain_lines(text, layout);
-        for (const auto& [x, y, third, none] : plain.sites) slices.sites.push_back({{x, y, third}, 0});
+        for (const auto& [x, y, third, none] : plain.sites)
+            slices.sites.push_back({{x, y, third}, 0});
         slices.has_thirds = slices.has_thirds || plain.has_radii;
         if (plain.bytes < text.size() && !wrong) wrong = lines + plain.lines;
         lines += std::ranges::count(text, '\n');
@@ -133,9 +135,10 @@ Slices read_text(Communicator& ranks, const std::string& name) {
     const std::int64_t before = ranks.sum_before(lines);
     ranks.together([&] {
         if (!wrong) return;
-        throw InputError(name, {before + *wrong + 1, 1},
-                         "several ranks read lines of two or three numbers, x y and perhaps r, under "
-                         "a header of these names or none; signum reads the rest");
+        throw InputError(
+            name, {before + *wrong + 1, 1},
+            "several ranks read lines of two or three numbers, x y and perhaps r, under "
+            "a header of these names or none; signum reads the rest");
     });
     std::int64_t id = ranks.sum_before(static_cast<std::int64_t>(slices.sites.size()));
     for (Placed& each : slices.sites) each.id = id++;
@@ -148,7 +151,8 @@ class Dataset {
  public:
     Dataset(const std::string& file, const Handle& opened, const std::string& path)
         : name_(file + ":" + path), set_(H5Dopen2(opened, path.c_str(), H5P_DEFAULT), H5Dclose) {
-        if (!set_.is_there()) throw InputError(file, fmt::format("there is no array {} in it", path));
+        if (!set_.is_there())
+            throw InputError(file, fmt::format("there is no array {} in it", path));
         const Handle space(H5Dget_space(set_), H5Sclose);
         axes_ = H5Sget_simple_extent_ndims(space);
         if (axes_ < 1 || axes_ > 2)
@@ -170,8 +174,8 @@ class Dataset {
             H5Sselect_none(space);
             H5Sselect_none(memory);
         }
-        if (H5Dread(set_, H5T_NATIVE_DOUBLE, memory, space, collective_transfer(),
-                    numbers.data()) < 0)
+        if (H5Dread(set_, H5T_NATIVE_DOUBLE, memory, space, collective_transfer(), numbers.data()) <
+            0)
             throw InputError(name_, "it cannot be read as numbers");
         return numbers;
     }
@@ -189,13 +193,15 @@ Slices read_hdf5(Communicator& ranks, const std::string& file, const std::string
     ranks.together([&] {
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
         { const InputFile named(file, "a file of sites", Contents::bytes); }
-        const Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access_by(ranks.get())), H5Fclose);
+        const Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, access_by(ranks.get())),
+                            H5Fclose);
         if (!opened.is_there()) throw InputError(file, "this is no file of HDF5");
         const Dataset set(file, opened, path);
         if (set.columns() < 2 || set.columns() > 3)
-            throw InputError(set.name(), fmt::format("rows of {} numbers; sites of the plane have 2, "
-                                                     "or 3 with a radius or weight",
-                                                     set.columns()));
+            throw InputError(set.name(),
+                             fmt::format("rows of {} numbers; sites of the plane have 2, "
+                                         "or 3 with a radius or weight",
+                                         set.columns()));
         if (set.rows() == 0) throw InputError(set.name(), "no site in this array");
         const auto row_of = [&](std::uint64_t k) {
             return static_cast<std::uint64_t>(static_cast<unsigned __int128>(set.rows()) * k /
@@ -208,10 +214,10 @@ Slices read_hdf5(Communicator& ranks, const std::string& file, const std::string
         if (!thirds.empty()) {
             const Dataset of_radii(file, opened, thirds);
             if (of_radii.columns() != 1 || of_radii.rows() != set.rows())
-                throw InputError(of_radii.name(),
-                                 fmt::format("{} rows of {} numbers; {} has {} sites",
-                                             of_radii.rows(), of_radii.columns(), set.name(),
-                                             set.rows()));
+                throw InputError(
+                    of_radii.name(),
+                    fmt::format("{} rows of {} numbers; {} has {} sites", of_radii.rows(),
+                                of_radii.columns(), set.name(), set.rows()));
             radii = of_radii.read(first, count);
         }
         const std::uint64_t columns = set.columns();
@@ -239,8 +245,9 @@ Slices read_slices(Communicator& ranks, const std::string& name, const std::stri
             return read_hdf5(ranks, name.substr(0, end), name.substr(end + 1), thirds);
         }
     if (!thirds.empty())
-        throw InputError(name, "--radii and --weights name arrays of a file of HDF5: give "
-                               "FILE.h5:/path/to/coordinates");
+        throw InputError(name,
+                         "--radii and --weights name arrays of a file of HDF5: give "
+                         "FILE.h5:/path/to/coordinates");
     if (name.ends_with(".h5") || name.ends_with(".hdf5") || name.ends_with(".hdf"))
         throw InputError(name, "which array? give FILE.h5:/path/to/coordinates");
     if (name.ends_with(".npy")) return read_array(ranks, name, SitesInput::npy);

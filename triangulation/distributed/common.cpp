@@ -88,13 +88,12 @@ bool Farthest::have_an_end(const Extent& extent) const noexcept {
         const double most = extent.high[2];
         const double radii = has_radii_ ? std::max(scale * most - scale * u.r, 0.0) : 0.0;
         // A few roundings each, and some for a unit vector that is none.
-        const double slack = 0x1p-44 * (std::fabs(g) + std::fabs(next) + radii +
-                                        scale * (std::fabs(u.x) + std::fabs(u.y) +
-                                                 std::fabs(extent.low[0]) +
-                                                 std::fabs(extent.high[0]) +
-                                                 std::fabs(extent.low[1]) +
-                                                 std::fabs(extent.high[1]))) +
-                             0x1p-1000;
+        const double slack =
+            0x1p-44 * (std::fabs(g) + std::fabs(next) + radii +
+                       scale * (std::fabs(u.x) + std::fabs(u.y) + std::fabs(extent.low[0]) +
+                                std::fabs(extent.high[0]) + std::fabs(extent.low[1]) +
+                                std::fabs(extent.high[1]))) +
+            0x1p-1000;
         if (!(along(k, u) - g > radii + slack && along(k + 1, u) - next > radii + slack))
             return false;
     }

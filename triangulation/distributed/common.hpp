@@ -53,9 +53,9 @@ class Farthest {
     [[nodiscard]] std::size_t strip(std::size_t k, double across) const noexcept;
 
     bool has_radii_;
-    std::vector<Point> vectors_;  ///< all around
+    std::vector<Point> vectors_;                 ///< all around
     std::vector<std::array<double, 2>> across_;  ///< of the whole, for each two
-    std::vector<Far> far_;        ///< strip by strip
+    std::vector<Far> far_;                       ///< strip by strip
 };
 
 /// Those of a part of which it does not follow that their cells have an end, by a first choice

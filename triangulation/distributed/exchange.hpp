@@ -19,7 +19,9 @@ struct Placed {
 };
 
 /// Instead of a site.
-[[nodiscard]] constexpr Placed at_infinity() noexcept { return {{0.0, 0.0, 0.0}, -1}; }
+[[nodiscard]] constexpr Placed at_infinity() noexcept {
+    return {{0.0, 0.0, 0.0}, -1};
+}
 
 /// An edge: its sites, and those of the faces on its left and right, perhaps at infinity.
 using EdgeQuestion = std::array<Placed, 4>;

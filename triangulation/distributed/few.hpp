@@ -160,9 +160,8 @@ class Ball {
     /// have made of it: above 0 where none conflicts.
     [[nodiscard]] double excess(const Extent& extent) const noexcept {
         if constexpr (M::traits.edges_are_straight) {
-            return circle_.excess({{extent.low[0], extent.low[1]},
-                                   {extent.high[0], extent.high[1]},
-                                   extent.high[2]});
+            return circle_.excess(
+                {{extent.low[0], extent.low[1]}, {extent.high[0], extent.high[1]}, extent.high[2]});
         } else {
             // Each number of the vertex is the nearest double; a face without a vertex has NaN.
             const auto [value, error] = nearness<M>({vertex_.x, vertex_.y}, extent);

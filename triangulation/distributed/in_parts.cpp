@@ -22,8 +22,7 @@ WholeParts settle_in_parts(std::span<const Placed> sites, Metric metric, WeightI
     for (const Placed& each : sites) sample.push_back({each.site.x, each.site.y});
     const Cuts cuts(std::move(sample), parts);
     std::vector<std::vector<Placed>> own(parts);
-    for (const Placed& each : sites)
-        own[cuts.part_of({each.site.x, each.site.y})].push_back(each);
+    for (const Placed& each : sites) own[cuts.part_of({each.site.x, each.site.y})].push_back(each);
 
     std::vector<SiteStore> stores;
     Extent extent = no_extent();
@@ -88,8 +87,9 @@ TessellationArrays arrays_of(const WholeParts& whole, std::int64_t sites, Metric
                                 static_cast<Index>(face[2])});
     arrays.neighbours.assign(faces.size(), {-1, -1, -1});
     for (const auto& [place, neighbour] : joined(halves, 0, sites))
-        arrays.neighbours[static_cast<std::size_t>(place / 4)]
-                         [static_cast<std::size_t>(place % 4)] = static_cast<Index>(neighbour);
+        arrays
+            .neighbours[static_cast<std::size_t>(place / 4)][static_cast<std::size_t>(place % 4)] =
+            static_cast<Index>(neighbour);
     for (const auto& [face, corner, neighbour] : whole.adjacencies)
         arrays.neighbours[sorted.place_of(face)][static_cast<std::size_t>(corner)] =
             static_cast<Index>(sorted.place_of(neighbour));

@@ -95,7 +95,8 @@ class PartOf final : public Part {
             if (face_of[at(v)] < 0) continue;
             spokes.clear();
             for (const HalfEdge h : topology_.fan(topology_.spoke(face_of[at(v)], v)))
-                if (const Index u = topology_.target(h); lesser(v, u) == v) spokes.push_back({u, h});
+                if (const Index u = topology_.target(h); lesser(v, u) == v)
+                    spokes.push_back({u, h});
             std::ranges::sort(spokes);
             for (std::size_t k = 0; k < spokes.size(); ++k) {
                 const auto is_to = [&](std::size_t other) {
@@ -107,13 +108,24 @@ class PartOf final : public Part {
             }
         }
     }
+    void each_star(const std::function<void(std::int64_t, std::span<const std::int64_t>)>& put)
+        const override {
+        const std::vector<Index> face_of =
+            triangulation::faces_of_vertices(topology_, sites_.size(), Workers(1));
+        std::vector<std::int64_t> neighbours;
+        for (Index v = 0; at(v) < own_; ++v) {
+            if (face_of[at(v)] < 0) continue;
+            neighbours.clear();
+            for (const HalfEdge h : topology_.fan(topology_.spoke(face_of[at(v)], v)))
+                neighbours.push_back(id(topology_.target(h)));
+            put(ids_[at(v)], neighbours);
+        }
+    }
     [[nodiscard]] std::vector<WholeHidden> hidden() const override { return hidden_; }
     [[nodiscard]] Told told() const noexcept override { return told_; }
 
  private:
-    [[nodiscard]] bool is_own(Index v) const noexcept {
-        return v >= 0 && at(v) < own_;
-    }
+    [[nodiscard]] bool is_own(Index v) const noexcept { return v >= 0 && at(v) < own_; }
     [[nodiscard]] static bool meet(const Extent& a, const Extent& b) noexcept {
         return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
                b.low[1] <= a.high[1];
@@ -452,8 +464,8 @@ class PartOf final : public Part {
                 asked[q].push_back(k);
             }
         }
-        const bool is_asked = exchange.is_for_any(std::ranges::any_of(
-            questions, [](const Questions& each) { return !each.are_none(); }));
+        const bool is_asked = exchange.is_for_any(
+            std::ranges::any_of(questions, [](const Questions& each) { return !each.are_none(); }));
         if (is_asked) {
             const std::vector<Answers> answers = exchange.ask(std::move(questions));
             for (std::size_t q = 0; q < parts.size(); ++q)
@@ -465,8 +477,7 @@ class PartOf final : public Part {
                 }
         }
         hidden_.clear();
-        for (std::size_t k = 0; k < hidden.size(); ++k)
-            hidden_.push_back({hidden[k].id, by[k].id});
+        for (std::size_t k = 0; k < hidden.size(); ++k) hidden_.push_back({hidden[k].id, by[k].id});
         std::ranges::sort(hidden_, {}, &WholeHidden::site);
     }
 

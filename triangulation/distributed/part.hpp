@@ -80,8 +80,9 @@ class Part {
     Part& operator=(const Part&) = delete;
     virtual ~Part() = default;
 
-    /// `number`: which of the parts it is. `common`: as above, those of other parts. Expected O(n log n), and the number of sites told.
-    /// Throws Stopped, NoStructure, and what the exchange does.
+    /// `number`: which of the parts it is. `common`: as above, those of other parts. Expected O(n
+    /// log n), and the number of sites told. Throws Stopped, NoStructure, and what the exchange
+    /// does.
     virtual void settle(const SiteStore& own, std::span<const Placed> common,
                         std::span<const PartBounds> parts, std::size_t number, Exchange& exchange,
                         const std::stop_token& stop) = 0;
@@ -91,9 +92,15 @@ class Part {
     /// Both sides of each edge whose lesser site is an own one, where there are several between its
     /// two sites: of all others the faces tell.
     virtual void each_adjacency(const std::function<void(const Adjacency&)>& put) const = 0;
+    /// The neighbours of each visible own site, counterclockwise, -1 for infinity: one as often as
+    /// there are edges between the two.
+    virtual void each_star(
+        const std::function<void(std::int64_t site, std::span<const std::int64_t> neighbours)>& put)
+        const = 0;
     /// The own sites that are hidden, and who is nearest to their centres in the whole.
     [[nodiscard]] virtual std::vector<WholeHidden> hidden() const = 0;
-    /// How many sites of others were told, how often it asked, and how many faces and edges it asked about.
+    /// How many sites of others were told, how often it asked, and how many faces and edges it
+    /// asked about.
     struct Told {
         std::size_t sites = 0;
         std::size_t rounds = 0;

@@ -56,9 +56,7 @@ class Nearest {
         double key;
         const BoxTree<3>::Node* node;
         std::size_t site;
-        [[nodiscard]] bool operator<(const Entry& other) const noexcept {
-            return key > other.key;
-        }
+        [[nodiscard]] bool operator<(const Entry& other) const noexcept { return key > other.key; }
     };
     void look_at(const BoxTree<3>::Node& node) { put(node, {0.0, &node, 0}); }
     void put(const Extent& extent, Entry entry) {
@@ -118,7 +116,8 @@ class Answering {
                     if (!meets(extent_of<M, weight_is>(site.site))) continue;
                     if (std::ranges::find(edge, site.id, &Placed::id) != edge.end()) continue;
                     Few<M, weight_is, 5> few({&i, &j, &k, &l, &site});
-                    if (takes_middle(few.kernel(), k.id < 0 ? infinite : 2, l.id < 0 ? infinite : 3))
+                    if (takes_middle(few.kernel(), k.id < 0 ? infinite : 2,
+                                     l.id < 0 ? infinite : 3))
                         found.push_back(site), ++count;
                     if (count == most) return false;
                 }
@@ -148,7 +147,8 @@ class Answering {
     }
 
  private:
-    /// Whether site 4 takes the middle of the edge of 0 and 1 with 2 on its left and 3 on its right.
+    /// Whether site 4 takes the middle of the edge of 0 and 1 with 2 on its left and 3 on its
+    /// right.
     template <class Kernel>
     [[nodiscard]] static bool takes_middle(Kernel& kernel, Index k, Index l) {
         constexpr Index q = 4;
@@ -200,8 +200,7 @@ Extent SiteStore::extent_but(std::span<const Placed> some) const {
     });
 }
 
-std::vector<Placed> SiteStore::sites_where(
-    const std::function<bool(const Extent&)>& may_be) const {
+std::vector<Placed> SiteStore::sites_where(const std::function<bool(const Extent&)>& may_be) const {
     return with_kernel(metric_, weight_is_, [&]<class M, WeightIs w>() {
         std::vector<Placed> result;
         tree_.visit(may_be, [&](std::uint32_t block) {

@@ -58,7 +58,8 @@ struct Across {
     std::vector<Across> result;
     result.reserve(halves.size());
     for (std::size_t b = 0; b + 1 < begins.size(); ++b) {
-        const std::span<Dealt> of_site = std::span(dealt).subspan(begins[b], begins[b + 1] - begins[b]);
+        const std::span<Dealt> of_site =
+            std::span(dealt).subspan(begins[b], begins[b + 1] - begins[b]);
         std::ranges::sort(of_site, {}, &Dealt::other);
         for (std::size_t k = 0, end; k < of_site.size(); k = end) {
             end = k + 1;
@@ -82,8 +83,7 @@ class SortedFaces {
         for (std::size_t b = 2; b < begins_.size(); ++b) begins_[b] += begins_[b - 1];
         faces_.resize(faces.size());
         for (const WholeFace& face : faces) faces_[begins_[bucket(face) + 1]++] = face;
-        for (std::size_t b = 0; b + 1 < begins_.size(); ++b)
-            std::ranges::sort(of(b));
+        for (std::size_t b = 0; b + 1 < begins_.size(); ++b) std::ranges::sort(of(b));
     }
     [[nodiscard]] const std::vector<WholeFace>& faces() const noexcept { return faces_; }
     /// Where a face stands among them. Throws std::logic_error where it does not.

@@ -2,11 +2,12 @@
 # signum-mpi on 1 to 7 ranks: the bytes are those of signum where that writes the same, and equal for
 # every number of ranks; what is wrong is said once, with rank and place, and leaves no file.
 #
-#   ranks.sh SIGNUM SIGNUM_MPI PYTHON
+#   ranks.sh SIGNUM SIGNUM_MPI PYTHON EXAMPLE
 set -euo pipefail
 signum=$1
 signum_mpi=$2
 python=$3
+example=$4
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -17,12 +18,15 @@ fail() {
   failures=$((failures + 1))
 }
 # More ranks than cores, as root in a container, and on a machine without a network.
-ranks() {
+on_ranks() {
   local count=$1
   shift
   OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1 OMPI_ALLOW_RUN_AS_ROOT=1 \
     OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl=self,vader OMPI_MCA_plm_rsh_agent=false \
-    timeout 120 mpirun --quiet -n "$count" "$signum_mpi" "$@"
+    timeout 120 mpirun --quiet -n "$count" "$@"
+}
+ranks() {
+  on_ranks "$1" "$signum_mpi" "${@:2}"
 }
 
 # same NAME SITES METRIC RANKS...
@@ -127,5 +131,8 @@ assert grid.GetNumberOfPoints() == 4 and grid.GetNumberOfCells() == 2, grid
 assert grid.GetPointData().GetArray("radius").GetNumberOfTuples() == 4
 E
 fi
+# Of n sites there are at most 3n - 6 edges, and these are all but those that a hull of some corners lacks.
+on_ranks 3 "$example" 2000 >said
+grep -q '^6000 sites, 5\.9[0-9]* neighbours each$' said || fail "the example: $(cat said)"
 [ "$failures" -eq 0 ] || exit 1
 echo "all as it should be"
