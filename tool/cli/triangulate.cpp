@@ -29,6 +29,7 @@
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "sites_call.hpp"
+#include "within_memory.hpp"
 
 namespace signum::cli {
 namespace {
@@ -37,6 +38,7 @@ namespace {
 struct TriangulateCall : SitesCall, OutputsCall {
     std::string method = "incremental";
     std::string order = "index";
+    std::string memory;
     std::vector<double> clip;
     bool vertices = false;
     bool check = false;
@@ -195,6 +197,14 @@ void run(const TriangulateCall& call) {
     const std::vector<Target> targets = targets_of(call, call.input, triangulate_formats);
     require_formats_for_options(call, targets);
     const std::optional<Box> clip = box_of(call.clip, targets);
+    if (!call.memory.empty()) {
+        if (method != Method::incremental || call.arithmetic != name_of(Arithmetic::exact) ||
+            call.order != name_of(Order::index) || call.check || call.statistics)
+            throw CallError(
+                "--memory goes with the exact insertion, the order index, and neither --check nor "
+                "--stats; leave --method, --arithmetic, --order, --check and --stats out");
+        return triangulate_within(call.memory, call, targets);
+    }
     const InputSites sites = read_input(call);
     if (sites.file.dimension == 3) return triangulate_in_space(call, sites, targets);
     require_formats_of(Dimension::two, targets, triangulate_formats, call.input);
@@ -272,6 +282,7 @@ void add_triangulate(CLI::App& tool) {
                 "single          floats, which round\n"
                 "In space exact and naive alone.")
         ->capture_default_str();
+    add_memory(*command, call->memory);
     add_outputs(*command, *call, triangulate_formats, "without it the result goes there, as JSON");
     add_clip(*command, call->clip,
              "The box that a picture shows. Default: all sites\nwith some room around them");
@@ -288,6 +299,7 @@ void add_triangulate(CLI::App& tool) {
         "  signum triangulate sites.txt --metric supremum --stats -o squares.svg\n"
         "  signum triangulate sites.txt --clip 0 0 10 10 -o part.svg\n"
         "  signum triangulate balls.txt --dimension 3 --metric power -o grid.vtu\n"
+        "  signum triangulate sites.npy --memory 4G -o faces.npy\n"
         "  signum triangulate sites.node -o sites.ele -o sites.neigh -o picture.pdf");
     command->callback([call] { run(*call); });
 }

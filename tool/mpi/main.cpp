@@ -23,7 +23,7 @@ namespace {
 
 struct Call {
     std::string sites;
-    std::string metric = "power";
+    std::string metric = "euclidean";
     std::string radii;
     std::string weights;
     bool thirds_are_weights = false;
@@ -33,11 +33,7 @@ struct Call {
 
 /// The metric, by any of its names.
 Metric metric_of(const std::string& name) {
-    for (const MetricTraits& traits : metric_table) {
-        if (name == traits.name) return traits.metric;
-        for (const std::string_view alias : traits.aliases)
-            if (!alias.empty() && name == alias) return traits.metric;
-    }
+    if (const auto metric = metric_named(name)) return *metric;
     throw CLI::ValidationError(
         "--metric", fmt::format("'{}' is none of power, euclidean, manhattan, supremum", name));
 }
@@ -113,8 +109,8 @@ End run(Communicator& ranks, int count, char** words) {
     CLI::App* const command = tool.add_subcommand(
         "triangulate", "Faces of all sites, from text (x y, x y r), .npy, .f64 or FILE.h5:/path");
     command->add_option("SITES", call.sites, "FILE, or FILE.h5:/path/to/coordinates")->required();
-    command->add_option("-m,--metric", call.metric,
-                        "power, euclidean, manhattan or supremum (power)");
+    command->add_option("-m,--metric", call.metric, "power, euclidean, manhattan or supremum")
+        ->capture_default_str();
     command->add_option("--radii", call.radii, "Where in FILE.h5 the radii are");
     command->add_option("--weights", call.weights, "The same of weights, in the power metric");
     command->add_flag("--third-is-weight", call.thirds_are_weights,

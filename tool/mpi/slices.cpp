@@ -1,17 +1,14 @@
 #include "slices.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <optional>
 
 #include <fmt/format.h>
 
 #include "../io/errors.hpp"
 #include "../io/input_file.hpp"
-#include "../io/plain_lines.hpp"
 #include "../io/read_sites.hpp"
+#include "../io/text_slice.hpp"
 #include "hdf5.hpp"
 
 namespace signum::mpi {
@@ -33,115 +30,17 @@ Slices read_array(Communicator& ranks, const std::string& name, SitesInput input
     return slices;
 }
 
-// ---- text --------------------------------------------------------------------------------------
-
-/// Lines that begin in a stretch of the file's bytes.
-class TextSlice {
- public:
-    TextSlice(const std::string& name, std::uint64_t number, std::uint64_t of) : name_(name) {
-        // Says what is wrong with the name, and refuses UTF-16.
-        const InputFile file(name, "a file of sites");
-        const auto size = file.size();
-        if (!size) throw InputError(name, "this is no regular file; several ranks read one");
-        input_.open(name, std::ios::binary);
-        begin_ = *size * number / of;
-        end_ = *size * (number + 1) / of;
-        if (begin_ > 0) {
-            // A line belongs to the slice in which it begins.
-            input_.seekg(static_cast<std::streamoff>(begin_ - 1));
-            std::string rest;
-            std::getline(input_, rest);
-            begin_ += rest.size();
-        } else {
-            has_start_ = end_ > 0;
-            if (file.first_bytes().starts_with("\xEF\xBB\xBF")) begin_ = 3;
-            input_.seekg(static_cast<std::streamoff>(begin_));
-        }
-    }
-    /// Whether the file's first line is in it.
-    [[nodiscard]] bool has_start() const noexcept { return has_start_; }
-
-    /// Calls take(line) for each line.
-    template <class Take>
-    void each_line(const Take& take) {
-        std::string line;
-        while (begin_ < end_ && std::getline(input_, line)) {
-            begin_ += line.size() + 1;
-            if (line.ends_with('\r')) line.pop_back();
-            take(line);
-        }
-        if (input_.bad()) throw MachineError("cannot read " + name_);
-    }
-
- private:
-    std::string name_;
-    std::ifstream input_;
-    std::uint64_t begin_ = 0;
-    std::uint64_t end_ = 0;
-    bool has_start_ = false;
-};
-
-/// A header that says no more than what would be taken anyhow.
-bool is_header(std::string_view line) {
-    std::string names;
-    for (const char c : line)
-        if (c != ' ' && c != '\t' && c != '"')
-            names +=
-                c == ';' ? ',' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return names == "x,y" || names == "x,y,r" || names == "x,y,radius" || names == "x,y,w" ||
-           names == "x,y,weight";
-}
-
 Slices read_text(Communicator& ranks, const std::string& name) {
-    constexpr PlainLayout layout = {.places = {0, 1, 2, std::numeric_limits<std::size_t>::max()},
-                                    .coordinates = 2,
-                                    .most = 3,
-                                    .separator = '\0',
-                                    .has_radius = false,
-                                    .may_be_negative = true,
-                                    .may_be_beyond_single = true};
     Slices slices;
-    std::int64_t lines = 0;
-    std::optional<std::int64_t> wrong;
-    std::string text;
-    const auto read = [&] {
-        const PlainLines plain = read_plain_lines(text, layout);
-        for (const auto& [x, y, third, none] : plain.sites)
-            slices.sites.push_back({{x, y, third}, 0});
-        slices.has_thirds = slices.has_thirds || plain.has_radii;
-        if (plain.bytes < text.size() && !wrong) wrong = lines + plain.lines;
-        lines += std::ranges::count(text, '\n');
-        text.clear();
-    };
+    TextSlice slice;
+    ranks.together([&] { slice = read_text_slice(name, ranks.rank(), ranks.size()); });
+    const std::int64_t before = ranks.sum_before(slice.lines);
     ranks.together([&] {
-        TextSlice slice(name, ranks.rank(), ranks.size());
-        bool is_first = slice.has_start();
-        slice.each_line([&](const std::string& line) {
-            const bool says_nothing =
-                line.find_first_not_of(" \t") == std::string::npos || line.starts_with('#');
-            const bool is_title = !says_nothing && is_first && is_header(line);
-            is_first = is_first && says_nothing;
-            if (says_nothing || is_title) {
-                read();
-                ++lines;
-                return;
-            }
-            text += line;
-            text += '\n';
-            if (text.size() > std::size_t{1} << 20) read();
-        });
-        read();
+        if (slice.wrong) throw wrong_line(name, before, slice);
     });
-    const std::int64_t before = ranks.sum_before(lines);
-    ranks.together([&] {
-        if (!wrong) return;
-        throw InputError(
-            name, {before + *wrong + 1, 1},
-            "several ranks read lines of two or three numbers, x y and perhaps r, under "
-            "a header of these names or none; signum reads the rest");
-    });
-    std::int64_t id = ranks.sum_before(static_cast<std::int64_t>(slices.sites.size()));
-    for (Placed& each : slices.sites) each.id = id++;
+    slices.has_thirds = slice.has_thirds;
+    std::int64_t id = ranks.sum_before(static_cast<std::int64_t>(slice.sites.size()));
+    for (const Site& site : slice.sites) slices.sites.push_back({site, id++});
     return slices;
 }
 

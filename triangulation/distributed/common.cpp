@@ -56,6 +56,7 @@ double Farthest::along(std::size_t k, const Site& site) const noexcept {
 
 std::size_t Farthest::strip(std::size_t k, double across) const noexcept {
     const auto [low, high] = across_[k];
+    if (!(high > low)) return k * strips;
     const double place = (across - low) / (high - low) * static_cast<double>(strips);
     return k * strips + static_cast<std::size_t>(std::clamp(place, 0.0, strips - 1.0));
 }

@@ -56,6 +56,8 @@ printf 'x,y,r\r\n0,0,1\r\n# here\r\n\r\n4,0,1\r\n0,3,0.5\r\n' >few.csv
 same "few sites" few.csv euclidean 1 2 7
 printf '0 0\n1 0\n0 1\n1 1\n' >square.txt
 same "a square" square.txt power 1 4 7
+printf "0 0\n1 0\n0 1\n1 1" >square.txt
+same "no end of the last line" square.txt supremum 1 4 7
 
 # wrong NAME CODE PATTERN ARGUMENTS...: the exit code, one line that says why, and no file.
 wrong() {
@@ -80,6 +82,8 @@ wrong "a line" 2 'signum triangulate takes them' line.txt
 wrong "no array named" 2 'which array' some.h5
 wrong "a metric" 2 'none of power' lines.txt --metric manhatan
 head -c 5000 sites.npy >short.npy
+head -c 100000 /dev/zero | tr '\0' 1 >long.txt
+wrong "a line without end" 2 'more than 65536 bytes' long.txt
 wrong "an array cut short" 2 'short.npy' short.npy
 
 if "$python" -c 'import h5py, numpy' 2>/dev/null; then

@@ -1,0 +1,117 @@
+/// Tessellations whose sites lie on a disk have the faces of the whole, in order: read in slices of
+/// any number, in parts of any number, by one thread or several.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "../../tool/generate/generate.hpp"
+#include "../../triangulation/distributed/on_disk.hpp"
+#include "../../triangulation/triangulate.hpp"
+#include "../thoroughness.hpp"
+
+namespace signum {
+namespace {
+
+using distributed::Counts;
+using distributed::Placed;
+using distributed::WholeFace;
+
+distributed::SlicedSites in_slices(const std::vector<Site>& sites, std::size_t slices) {
+    return {slices, [&sites, slices](std::size_t slice) {
+                std::vector<Placed> some;
+                const std::size_t end = sites.size() * (slice + 1) / slices;
+                for (std::size_t i = sites.size() * slice / slices; i < end; ++i)
+                    some.push_back({sites[i], static_cast<std::int64_t>(i)});
+                return some;
+            }};
+}
+const std::string folder = std::filesystem::temp_directory_path().string();
+
+struct Result {
+    Counts counts;
+    std::vector<WholeFace> faces;
+    std::vector<double> told;
+};
+Result built(const std::vector<Site>& sites, std::size_t slices, Metric metric,
+             distributed::DiskOptions options) {
+    Result result;
+    options.folder = folder;
+    options.progress = [&](double share) { result.told.push_back(share); };
+    distributed::triangulate_on_disk(
+        in_slices(sites, slices), metric, WeightIs::radius, options,
+        [&](const Counts& counts) { result.counts = counts; },
+        [&](std::span<const WholeFace> faces) {
+            result.faces.insert(result.faces.end(), faces.begin(), faces.end());
+        });
+    return result;
+}
+
+class OnDiskFaces : public testing::TestWithParam<Metric> {};
+
+TEST_P(OnDiskFaces, AreThoseOfTheWhole) {
+    for (const Distribution distribution : all_distributions) {
+        const int count = is_fast ? 20'000 : 3000;
+        const std::vector<Site> sites = generate(distribution, {.count = count, .radius_to = 3.0});
+        const Tessellation whole = triangulate(sites, GetParam(), {.threads = 1});
+        std::vector<WholeFace> faces;
+        for (const Face& face : whole.faces()) faces.push_back({face[0], face[1], face[2]});
+        for (const auto& [slices, parts, threads] :
+             {std::array<std::size_t, 3>{1, 1, 1}, {3, 4, 2}, {7, 5, 1}}) {
+            const Result found = built(sites, slices, GetParam(),
+                                       {.parts = parts, .threads = static_cast<int>(threads)});
+            ASSERT_EQ(found.faces, faces) << name_of(distribution) << ", " << parts << " parts";
+            EXPECT_EQ(found.counts.sites, count);
+            EXPECT_EQ(found.counts.hidden, static_cast<std::int64_t>(whole.hidden().size()));
+            EXPECT_EQ(found.counts.faces, static_cast<std::int64_t>(faces.size()));
+            EXPECT_EQ(found.counts.infinite_faces,
+                      std::ranges::count(faces, -1, [](const WholeFace& face) { return face[0]; }));
+            EXPECT_TRUE(std::ranges::is_sorted(found.told));
+            EXPECT_EQ(found.told.back(), 1.0);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(, OnDiskFaces, testing::ValuesIn(all_metrics),
+                         [](const testing::TestParamInfo<Metric>& info) {
+                             return std::string(name_of(info.param));
+                         });
+
+TEST(OnDisk, SaysWhatItCannot) {
+    std::vector<Site> sites = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    const auto build = [&](const distributed::DiskOptions& options) {
+        static_cast<void>(built(sites, 2, Metric::power, options));
+    };
+    EXPECT_THROW(build({.parts = 2}), distributed::NoStructure);
+    sites = {};
+    EXPECT_THROW(build({.parts = 2}), distributed::NoStructure);
+    sites = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    EXPECT_NO_THROW(build({.parts = 500}));
+    EXPECT_THROW(build({.parts = 0}), std::invalid_argument);
+    EXPECT_THROW(build({.parts = 501}), std::invalid_argument);
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW(build({.parts = 2, .stop = stop.get_token()}), Stopped);
+    sites[1].r = HUGE_VAL;
+    EXPECT_THROW(build({.parts = 2}), std::invalid_argument);
+}
+
+TEST(OnDisk, SaysWhereItCannotWrite) {
+    const std::vector<Site> sites = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    EXPECT_THROW(distributed::triangulate_on_disk(
+                     in_slices(sites, 1), Metric::power, WeightIs::radius,
+                     {.parts = 2, .folder = "/nowhere"}, [](const Counts&) {},
+                     [](std::span<const WholeFace>) {}),
+                 std::system_error);
+}
+
+}  // namespace
+}  // namespace signum

@@ -1,0 +1,194 @@
+#include "within_memory.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "../../core/parallel.hpp"
+#include "../../triangulation/distributed/on_disk.hpp"
+#include "../io/array_writer.hpp"
+#include "../io/number.hpp"
+#include "../io/text_slice.hpp"
+#include "../study/timing.hpp"
+
+#include "commands.hpp"
+#include "progress.hpp"
+
+namespace signum::cli {
+namespace {
+
+using distributed::Counts;
+using distributed::Placed;
+using distributed::WholeFace;
+
+/// Bytes, as 512M, 4G or 1T say; nothing where it is no such number, or less than a megabyte.
+std::optional<std::uint64_t> bytes_of(std::string_view text) {
+    constexpr std::string_view units = "KMGT";
+    if (text.empty()) return std::nullopt;
+    const std::size_t unit =
+        units.find(static_cast<char>(std::toupper(static_cast<unsigned char>(text.back()))));
+    if (unit == std::string_view::npos) return std::nullopt;
+    const auto number = parse_whole_number(text.substr(0, text.size() - 1));
+    const std::size_t shift = 10 * (unit + 1);
+    if (!number || *number > (std::uint64_t{1} << 50 >> shift)) return std::nullopt;
+    const std::uint64_t bytes = *number << shift;
+    return bytes < std::uint64_t{1} << 20 ? std::nullopt : std::optional(bytes);
+}
+
+/// Sites of a file, some megabytes at a time.
+class Slices {
+ public:
+    Slices(const SitesCall& call, SitesInput input, std::uint64_t bytes)
+        : call_(call),
+          input_(input),
+          slices_(static_cast<std::size_t>(bytes / (std::uint64_t{1} << 24) + 1)) {}
+
+    [[nodiscard]] distributed::SlicedSites view() {
+        return {slices_, [this](std::size_t slice) { return read(slice); }};
+    }
+
+ private:
+    std::vector<Placed> read(std::size_t slice) {
+        if (slice == 0) id_ = lines_ = 0;
+        std::vector<Placed> placed;
+        const auto put = [&](std::span<const Site> sites) {
+            placed.reserve(sites.size());
+            for (const Site& site : sites) placed.push_back({site, id_++});
+        };
+        if (input_ == SitesInput::text) {
+            const TextSlice text = read_text_slice(call_.input, slice, slices_);
+            if (text.wrong) throw wrong_line(call_.input, lines_, text);
+            lines_ += text.lines;
+            put(text.sites);
+        } else {
+            put(read_sites(call_.input,
+                           {.dimension = 2, .input = input_, .share = {slice, slices_}})
+                    .sites);
+        }
+        return placed;
+    }
+
+    const SitesCall& call_;
+    SitesInput input_;
+    std::size_t slices_;
+    std::int64_t id_ = 0;
+    std::int64_t lines_ = 0;
+};
+
+void put_faces(std::ostream& out, std::span<const WholeFace> faces, bool are_long) {
+    const auto put = [&]<class Number>(Number) {
+        std::vector<Number> numbers;
+        numbers.reserve(3 * faces.size());
+        for (const WholeFace& face : faces)
+            for (const std::int64_t site : face) numbers.push_back(static_cast<Number>(site));
+        put_bytes(out, std::span<const Number>(numbers));
+    };
+    are_long ? put(std::int64_t{}) : put(std::int32_t{});
+}
+
+}  // namespace
+
+void add_memory(CLI::App& command, std::string& memory) {
+    command
+        .add_option("--memory", memory,
+                    "How much memory to take, as in 512M or 4G: what\n"
+                    "does not fit lies on the disk beside -o meanwhile.\n"
+                    "Of the plane, from lines x y [r], .npy or .f64 to\n"
+                    "one .npy or .i32 of faces")
+        ->type_name("SIZE")
+        ->check(CLI::Validator(
+            [](const std::string& text) {
+                return bytes_of(text) ? std::string()
+                                      : "'" + text +
+                                            "' is no size; give one of 1M or more, as in "
+                                            "512M or 4G";
+            },
+            ""));
+}
+
+void triangulate_within(const std::string& memory, const SitesCall& call,
+                        std::span<const Target> targets) {
+    const std::uint64_t bytes = bytes_of(memory).value();
+    const Target& target = targets.front();
+    if (targets.size() != 1 || (target.format != "npy" && target.format != "i32"))
+        throw CallError(
+            "--memory writes the faces as they come, into one file: -o FILE.npy or "
+            "FILE.i32");
+    const SitesInput input = input_of(call.input, call.read_as);
+    if (input != SitesInput::text && input != SitesInput::npy && input != SitesInput::f64)
+        throw CallError(
+            fmt::format("--memory reads slices of lines x y [r], .npy and .f64, and {} "
+                        "is none of these",
+                        call.input));
+    if (!call.columns.empty())
+        throw CallError("--memory reads the first columns, x, y and r; leave --columns out");
+    if (call.dimension.value_or(2) != 2)
+        throw CallError("--memory is for sites of the plane; leave --dimension out");
+    const Metric metric = metric_of(call.metric);
+    const bool are_weights = call.weight_is == "weight";
+    if (are_weights && !traits_of(metric).has_weights) throw CallError(no_weights(metric));
+    std::error_code none;
+    const std::uint64_t size = std::filesystem::file_size(call.input, none);
+    if (none) throw InputError(call.input, "this is no regular file, which --memory reads twice");
+
+    // Of two floats a site, at the least; of text too a site takes no less.
+    const auto most_sites = static_cast<double>(size) / (input == SitesInput::text ? 4.0 : 8.0);
+    const Workers workers(call.threads, static_cast<std::size_t>(most_sites));
+    // A quarter is for what all parts know, and for reading and sorting.
+    const double fit = 0.75 * static_cast<double>(bytes) /
+                       static_cast<double>(distributed::bytes_a_site) / workers.count();
+    constexpr double most_parts = 500;
+    const double parts = std::ceil(most_sites / fit);
+    if (parts > most_parts)
+        throw CallError(
+            fmt::format("--memory {} is too little for the {} bytes of {}: its parts "
+                        "would be more than 500",
+                        memory, size, call.input));
+
+    const auto start = std::chrono::steady_clock::now();
+    const Outputs outputs(targets);
+    Counts counts;
+    Slices slices(call, input, size);
+    const auto write = [&](std::ostream& out) {
+        with_progress(call.quiet, [&](const std::function<void(double)>& show) {
+            bool are_long = false;
+            distributed::triangulate_on_disk(
+                slices.view(), metric, are_weights ? WeightIs::weight : WeightIs::radius,
+                {.parts = static_cast<std::size_t>(std::max(parts, 1.0)),
+                 .threads = call.threads,
+                 .folder = std::filesystem::absolute(target.path).parent_path().string(),
+                 .progress = show},
+                [&](const Counts& known) {
+                    counts = known;
+                    are_long = counts.sites > std::numeric_limits<std::int32_t>::max();
+                    if (target.format == "npy")
+                        put_npy_head(out, are_long ? "i8" : "i4",
+                                     static_cast<std::size_t>(counts.faces), 3);
+                },
+                [&](std::span<const WholeFace> faces) { put_faces(out, faces, are_long); });
+            return 0;
+        });
+    };
+    try {
+        outputs.write({{"npy", write}, {"i32", write}});
+    } catch (const distributed::NoStructure& error) {
+        throw CallError(fmt::format("{}: {}; leave --memory out", call.input, error.what()));
+    }
+    if (call.quiet) return;
+    say("sites    {}{}\n", counts.sites, are_weights ? ", the third number a weight" : "");
+    say("visible  {}\n", counts.sites - counts.hidden);
+    say("hidden   {}\n", counts.hidden);
+    say("faces    {}, {} of them infinite\n", counts.faces, counts.infinite_faces);
+    say("parts    {}\n", std::max(parts, 1.0));
+    say("seconds  {:.3g}\n", study::seconds_since(start));
+    say("{}", written(targets));
+}
+
+}  // namespace signum::cli

@@ -1,0 +1,131 @@
+#include "text_slice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <limits>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "input_file.hpp"
+#include "plain_lines.hpp"
+
+namespace signum {
+namespace {
+
+/// Lines that begin in a stretch of the file's bytes.
+class Lines {
+ public:
+    Lines(const std::string& name, std::uint64_t number, std::uint64_t of)
+        : name_(name), line_(InputFile::longest_line + 2, '\0') {
+        // Says what is wrong with the name, and refuses UTF-16.
+        const InputFile file(name, "a file of sites");
+        const auto size = file.size();
+        if (!size) throw InputError(name, "this is no regular file; several ranks read one");
+        input_.open(name, std::ios::binary);
+        begin_ = *size * number / of;
+        end_ = *size * (number + 1) / of;
+        if (begin_ > 0) {
+            // A line belongs to the slice in which it begins.
+            input_.seekg(static_cast<std::streamoff>(--begin_));
+            next_line();
+        } else {
+            has_start_ = end_ > 0;
+            if (file.first_bytes().starts_with("\xEF\xBB\xBF")) begin_ = 3;
+            input_.seekg(static_cast<std::streamoff>(begin_));
+        }
+    }
+    /// Whether the file's first line is in it.
+    [[nodiscard]] bool has_start() const noexcept { return has_start_; }
+
+    /// Calls take(line) for each line.
+    template <class Take>
+    void each_line(const Take& take) {
+        while (begin_ < end_) take(next_line());
+    }
+
+ private:
+    std::string_view next_line() {
+        input_.getline(line_.data(), static_cast<std::streamsize>(line_.size()));
+        const auto count = static_cast<std::size_t>(input_.gcount());
+        if (input_.bad() || (count == 0 && !input_.eof()))
+            throw MachineError("cannot read " + name_);
+        if (input_.fail() && !input_.eof())
+            throw InputError(name_,
+                             fmt::format("a line of more than {} bytes, at byte {}; a site a "
+                                         "line is expected",
+                                         InputFile::longest_line, begin_));
+        begin_ = input_.eof() ? std::max(end_, begin_ + count) : begin_ + count;
+        std::string_view line(line_.data(), input_.eof() ? count : count - 1);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        return line;
+    }
+
+    std::string name_;
+    std::string line_;
+    std::ifstream input_;
+    std::uint64_t begin_ = 0;
+    std::uint64_t end_ = 0;
+    bool has_start_ = false;
+};
+
+/// A header that says no more than what would be taken anyhow.
+bool is_header(std::string_view line) {
+    std::string names;
+    for (const char c : line)
+        if (c != ' ' && c != '\t' && c != '"')
+            names +=
+                c == ';' ? ',' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return names == "x,y" || names == "x,y,r" || names == "x,y,radius";
+}
+
+}  // namespace
+
+TextSlice read_text_slice(const std::string& name, std::uint64_t number, std::uint64_t of) {
+    constexpr PlainLayout layout = {.places = {0, 1, 2, std::numeric_limits<std::size_t>::max()},
+                                    .coordinates = 2,
+                                    .most = 3,
+                                    .separator = '\0',
+                                    .has_radius = false,
+                                    .may_be_negative = true,
+                                    .may_be_beyond_single = true};
+    TextSlice slice;
+    std::string text;
+    const auto read = [&] {
+        const PlainLines plain = read_plain_lines(text, layout);
+        for (const auto& [x, y, third, none] : plain.sites) slice.sites.push_back({x, y, third});
+        slice.has_thirds = slice.has_thirds || plain.has_radii;
+        if (plain.bytes < text.size() && !slice.wrong) slice.wrong = slice.lines + plain.lines;
+        slice.lines += std::ranges::count(text, '\n');
+        text.clear();
+    };
+    Lines lines(name, number, of);
+    bool is_first = lines.has_start();
+    lines.each_line([&](std::string_view line) {
+        const bool says_nothing =
+            line.find_first_not_of(" \t") == std::string_view::npos || line.starts_with('#');
+        const bool is_title = !says_nothing && is_first && is_header(line);
+        is_first = is_first && says_nothing;
+        if (says_nothing || is_title) {
+            read();
+            ++slice.lines;
+            return;
+        }
+        text += line;
+        text += '\n';
+        if (text.size() > std::size_t{1} << 20) read();
+    });
+    read();
+    return slice;
+}
+
+InputError wrong_line(const std::string& name, std::int64_t lines_before, const TextSlice& slice) {
+    return {name,
+            {lines_before + slice.wrong.value_or(0) + 1, 1},
+            "in slices, lines of two or three numbers are read, x y and perhaps r, under a header "
+            "of these names or none"};
+}
+
+}  // namespace signum

@@ -1,0 +1,54 @@
+#pragma once
+/// Tessellations of the plane of more sites than fit into memory: parts that lie on a disk are
+/// settled one after the other, or as many at a time as there are threads. The result is that of
+/// triangulate().
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "../metric.hpp"
+#include "exchange.hpp"
+#include "part.hpp"
+
+namespace signum::distributed {
+
+/// Sites that are read slice by slice, as often as they are asked for.
+struct SlicedSites {
+    std::size_t slices;
+    /// Those of one slice, numbered from 0 through all of them.
+    std::function<std::vector<Placed>(std::size_t slice)> read;
+};
+
+/// How many bytes a site of a part takes while that is settled, and when faces are sorted.
+inline constexpr std::int64_t bytes_a_site = 320;
+
+struct DiskOptions {
+    std::size_t parts = 1;
+    int threads = 0;           ///< that settle parts, as Options::threads
+    std::string folder = ".";  ///< where files without a name take some 130 bytes a site
+    std::stop_token stop = {};
+    std::function<void(double)> progress = {};  ///< by one thread at a time
+};
+
+/// How much there is of it.
+struct Counts {
+    std::int64_t sites = 0;
+    std::int64_t hidden = 0;
+    std::int64_t faces = 0;
+    std::int64_t infinite_faces = 0;
+};
+
+/// Calls begin(counts), and put(faces) for one stretch after the other of the faces in the order of
+/// arrays.hpp. Throws NoStructure, std::invalid_argument (numbers that are not finite, more parts
+/// than 500), Stopped, std::system_error where the disk fails.
+void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weight_is,
+                         const DiskOptions& options,
+                         const std::function<void(const Counts&)>& begin,
+                         const std::function<void(std::span<const WholeFace>)>& put);
+
+}  // namespace signum::distributed
