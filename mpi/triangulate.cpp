@@ -90,15 +90,11 @@ std::vector<Placed> common_sites(Communicator& ranks, const SiteStore& store,
         farthest.include(sample);
         own = endless_among(store, farthest);
     });
-    std::vector<Placed> common;
-    const std::vector<Placed> candidates = ranks.all_of<Placed>(own);
-    ranks.together([&] { common = endless_of(candidates, metric, weight_is); });
+    std::vector<Placed> candidates = ranks.all_of<Placed>(own);
     ranks.together([&] { own = greatest_of(store.sites(), most_greatest, metric, weight_is); });
-    own = greatest_of(ranks.all_of<Placed>(own), most_greatest, metric, weight_is);
-    common.insert(common.end(), own.begin(), own.end());
-    std::ranges::sort(common, {}, &Placed::id);
-    const auto same = std::ranges::unique(common, {}, &Placed::id);
-    common.erase(same.begin(), same.end());
+    const std::vector<Placed> greatest = ranks.all_of<Placed>(own);
+    std::vector<Placed> common;
+    ranks.together([&] { common = common_of(std::move(candidates), greatest, metric, weight_is); });
     return common;
 }
 

@@ -9,11 +9,11 @@
 #include <gtest/gtest.h>
 
 #include "../../tool/generate/generate.hpp"
-#include "../../triangulation/distributed/in_parts.hpp"
 #include "../../triangulation/triangulate.hpp"
 #include "../thoroughness.hpp"
 #include "adversarial_sites.hpp"
 #include "degenerate_sites.hpp"
+#include "in_parts.hpp"
 
 namespace signum {
 namespace {

@@ -15,6 +15,29 @@ namespace {
 /// So small that sums of a few of them do not overflow.
 constexpr double scale = 0x1p-3;
 
+/// Those whose cells have no end, of some that are all such of the whole.
+std::vector<Placed> endless_of(std::vector<Placed> candidates, Metric metric, WeightIs weight_is) {
+    std::ranges::sort(candidates, {}, &Placed::id);
+    std::vector<Site> sites;
+    sites.reserve(candidates.size());
+    for (const Placed& each : candidates) sites.push_back(each.site);
+    const Tessellation built =
+        triangulate({sites, weight_is == WeightIs::weight}, metric, {.threads = 1});
+    std::vector<char> is_endless(sites.size());
+    bool is_flat = true;
+    for (const Face& face : built.faces()) {
+        if (face[0] != infinite) is_flat = false;
+        if (face[0] == infinite)
+            for (const Index v : {face[1], face[2]}) is_endless[static_cast<std::size_t>(v)] = 1;
+    }
+    if (built.faces().empty() || (is_flat && traits_of(metric).edges_are_straight))
+        throw NoStructure("the sites lie on one line, or are hidden by one of them");
+    std::vector<Placed> result;
+    for (std::size_t i = 0; i < sites.size(); ++i)
+        if (is_endless[i] != 0) result.push_back(candidates[i]);
+    return result;
+}
+
 }  // namespace
 
 Farthest::Farthest(Metric metric, const Extent& whole)
@@ -113,28 +136,6 @@ std::vector<Placed> endless_among(const SiteStore& store, const Farthest& farthe
     return again.sites_where(may_be_endless(better));
 }
 
-std::vector<Placed> endless_of(std::vector<Placed> candidates, Metric metric, WeightIs weight_is) {
-    std::ranges::sort(candidates, {}, &Placed::id);
-    std::vector<Site> sites;
-    sites.reserve(candidates.size());
-    for (const Placed& each : candidates) sites.push_back(each.site);
-    const Tessellation built =
-        triangulate({sites, weight_is == WeightIs::weight}, metric, {.threads = 1});
-    std::vector<char> is_endless(sites.size());
-    bool is_flat = true;
-    for (const Face& face : built.faces()) {
-        if (face[0] != infinite) is_flat = false;
-        if (face[0] == infinite)
-            for (const Index v : {face[1], face[2]}) is_endless[static_cast<std::size_t>(v)] = 1;
-    }
-    if (built.faces().empty() || (is_flat && traits_of(metric).edges_are_straight))
-        throw NoStructure("the sites lie on one line, or are hidden by one of them");
-    std::vector<Placed> result;
-    for (std::size_t i = 0; i < sites.size(); ++i)
-        if (is_endless[i] != 0) result.push_back(candidates[i]);
-    return result;
-}
-
 std::vector<Placed> greatest_of(std::span<const Placed> sites, std::size_t most, Metric metric,
                                 WeightIs weight_is) {
     return with_kernel(metric, weight_is, [&]<class M, WeightIs w>() {
@@ -157,6 +158,17 @@ std::vector<Placed> greatest_of(std::span<const Placed> sites, std::size_t most,
         thin_out();
         return result;
     });
+}
+
+std::vector<Placed> common_of(std::vector<Placed> endless, std::span<const Placed> greatest,
+                              Metric metric, WeightIs weight_is) {
+    std::vector<Placed> common = endless_of(std::move(endless), metric, weight_is);
+    const std::vector<Placed> more = greatest_of(greatest, most_greatest, metric, weight_is);
+    common.insert(common.end(), more.begin(), more.end());
+    std::ranges::sort(common, {}, &Placed::id);
+    const auto same = std::ranges::unique(common, {}, &Placed::id);
+    common.erase(same.begin(), same.end());
+    return common;
 }
 
 }  // namespace signum::distributed

@@ -62,13 +62,15 @@ class Farthest {
 /// among them, too.
 [[nodiscard]] std::vector<Placed> endless_among(const SiteStore& store, const Farthest& farthest);
 
-/// Of sites among which are all that have cells without an end, those that do. Throws NoStructure
-/// (part.hpp) where these lie on one line, in the power metric, or there is one.
-[[nodiscard]] std::vector<Placed> endless_of(std::vector<Placed> candidates, Metric metric,
-                                             WeightIs weight_is);
-
 /// Those with the greatest third numbers, at most so many; fewer where others have the same.
 [[nodiscard]] std::vector<Placed> greatest_of(std::span<const Placed> sites, std::size_t most,
                                               Metric metric, WeightIs weight_is);
+
+/// All that are common, by their numbers: of what endless_among() finds in the parts those whose
+/// cells have no end, and of what greatest_of() finds there the greatest. Throws NoStructure
+/// (part.hpp) where all sites lie on one line, in the power metric, or one hides all others.
+[[nodiscard]] std::vector<Placed> common_of(std::vector<Placed> endless,
+                                            std::span<const Placed> greatest, Metric metric,
+                                            WeightIs weight_is);
 
 }  // namespace signum::distributed

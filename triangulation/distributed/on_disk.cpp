@@ -19,7 +19,7 @@
 #include "../options.hpp"
 #include "common.hpp"
 #include "cuts.hpp"
-#include "in_parts.hpp"
+#include "shared_exchange.hpp"
 #include "site_store.hpp"
 #include "whole.hpp"
 
@@ -241,11 +241,8 @@ void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weigh
         add(greatest, greatest_of(store.sites(), most_greatest, metric, weight_is));
         mapped.forget();
     }
-    std::vector<Placed> common = endless_of(std::move(candidates), metric, weight_is);
-    add(common, greatest_of(greatest, most_greatest, metric, weight_is));
-    std::ranges::sort(common, {}, &Placed::id);
-    const auto same = std::ranges::unique(common, {}, &Placed::id);
-    common.erase(same.begin(), same.end());
+    const std::vector<Placed> common =
+        common_of(std::move(candidates), greatest, metric, weight_is);
     std::vector<PartBounds> bounds;
     for (const SiteStore& store : stores) {
         bounds.push_back({store.extent_but(common), store.spacing()});

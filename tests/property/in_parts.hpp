@@ -1,23 +1,34 @@
-#include "in_parts.hpp"
+#pragma once
+/// A tessellation from parts that are settled one after the other, in memory, and put together.
 
 #include <algorithm>
-#include <stdexcept>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
 
-#include "common.hpp"
-#include "cuts.hpp"
-#include "whole.hpp"
+#include "../../triangulation/arrays.hpp"
+#include "../../triangulation/distributed/common.hpp"
+#include "../../triangulation/distributed/cuts.hpp"
+#include "../../triangulation/distributed/part.hpp"
+#include "../../triangulation/distributed/shared_exchange.hpp"
+#include "../../triangulation/distributed/site_store.hpp"
+#include "../../triangulation/distributed/whole.hpp"
 
 namespace signum::distributed {
 
-std::vector<Answers> SharedExchange::ask(std::vector<Questions> questions) {
-    std::vector<Answers> answers(questions.size());
-    for (std::size_t q = 0; q < questions.size(); ++q)
-        if (!questions[q].are_none()) answers[q] = stores_[q].answer(questions[q]);
-    return answers;
-}
+/// What the whole is put together from (Part), in no order, each face once.
+struct WholeParts {
+    std::vector<WholeFace> faces;
+    std::vector<Adjacency> adjacencies;
+    std::vector<WholeHidden> hidden;
+    Part::Told told;
+};
 
-WholeParts settle_in_parts(std::span<const Placed> sites, Metric metric, WeightIs weight_is,
-                           std::size_t parts) {
+/// In so many parts. Throws NoStructure, as triangulate() would have none that parts share.
+inline WholeParts settle_in_parts(std::span<const Placed> sites, Metric metric, WeightIs weight_is,
+                                  std::size_t parts) {
     std::vector<Point> sample;
     for (const Placed& each : sites) sample.push_back({each.site.x, each.site.y});
     const Cuts cuts(std::move(sample), parts);
@@ -38,12 +49,7 @@ WholeParts settle_in_parts(std::span<const Placed> sites, Metric metric, WeightI
         const std::vector<Placed> more = endless_among(store, farthest);
         candidates.insert(candidates.end(), more.begin(), more.end());
     }
-    std::vector<Placed> common = endless_of(std::move(candidates), metric, weight_is);
-    const std::vector<Placed> greatest = greatest_of(sites, most_greatest, metric, weight_is);
-    common.insert(common.end(), greatest.begin(), greatest.end());
-    std::ranges::sort(common, {}, &Placed::id);
-    const auto same = std::ranges::unique(common, {}, &Placed::id);
-    common.erase(same.begin(), same.end());
+    const std::vector<Placed> common = common_of(std::move(candidates), sites, metric, weight_is);
 
     std::vector<PartBounds> bounds;
     for (const SiteStore& store : stores)
@@ -69,8 +75,9 @@ WholeParts settle_in_parts(std::span<const Placed> sites, Metric metric, WeightI
     return whole;
 }
 
-TessellationArrays arrays_of(const WholeParts& whole, std::int64_t sites, Metric metric,
-                             WeightIs weight_is) {
+/// The arrays of sites that are numbered from 0.
+inline TessellationArrays arrays_of(const WholeParts& whole, std::int64_t sites, Metric metric,
+                                    WeightIs weight_is) {
     SortedFaces sorted(whole.faces, -1, sites);
     const std::vector<WholeFace>& faces = sorted.faces();
     std::vector<HalfOfEdge> halves;
