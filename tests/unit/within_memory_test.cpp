@@ -79,6 +79,11 @@ TEST_F(WithinMemory, SaysWhatItDoesNotTake) {
         "signum: --memory goes with the exact insertion, the order index, and neither "
         "--check nor --stats; leave --method, --arithmetic, --order, --check and --stats "
         "out\n");
+    const std::string none = scratch.path("none.npy");
+    expect_refusal({"triangulate", none, "--memory", "1G", "-o", faces},
+                   none +
+                       ": cannot open it (No such file or directory); give a file of sites, or - "
+                       "for standard input\n");
     const std::string line = scratch.file("line.txt", "0 0\n1 1\n2 2\n");
     expect_refusal({"triangulate", line, "--metric", "power", "--memory", "1G", "-o", faces},
                    "signum: " + line +
@@ -91,6 +96,18 @@ TEST_F(WithinMemory, SaysWhatItDoesNotTake) {
             << outcome.err;
     }
     EXPECT_FALSE(std::filesystem::exists(faces));
+}
+
+TEST_F(WithinMemory, SaysThatTheDiskIsFull) {
+    const std::string sites = made("sites.f64");
+    const std::string faces = scratch.path("faces.i32");
+    const std::size_t before = scratch.size();
+    const Outcome outcome =
+        run({"triangulate", sites, "--memory", "1G", "-o", faces}, {.file_size = rlim_t{1} << 20});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(outcome.err, "signum: beside " + faces +
+                               ": the files of the work cannot be written: File too large\n");
+    EXPECT_EQ(scratch.size(), before);
 }
 
 }  // namespace

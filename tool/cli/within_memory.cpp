@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include "../../core/parallel.hpp"
 #include "../../triangulation/distributed/on_disk.hpp"
 #include "../io/array_writer.hpp"
+#include "../io/input_file.hpp"
 #include "../io/number.hpp"
 #include "../io/text_slice.hpp"
 #include "../study/timing.hpp"
@@ -134,9 +136,11 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
     const Metric metric = metric_of(call.metric);
     const bool are_weights = call.weight_is == "weight";
     if (are_weights && !traits_of(metric).has_weights) throw CallError(no_weights(metric));
-    std::error_code none;
-    const std::uint64_t size = std::filesystem::file_size(call.input, none);
-    if (none) throw InputError(call.input, "this is no regular file, which --memory reads twice");
+    const std::optional<std::uint64_t> bytes_of_file =
+        InputFile(call.input, "a file of sites", Contents::bytes).size();
+    if (!bytes_of_file)
+        throw InputError(call.input, "this is no regular file, which --memory reads twice");
+    const std::uint64_t size = *bytes_of_file;
 
     // Of two floats a site, at the least; of text too a site takes no less.
     const auto most_sites = static_cast<double>(size) / (input == SitesInput::text ? 4.0 : 8.0);
@@ -180,6 +184,8 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
         outputs.write({{"npy", write}, {"i32", write}});
     } catch (const distributed::NoStructure& error) {
         throw CallError(fmt::format("{}: {}; leave --memory out", call.input, error.what()));
+    } catch (const std::system_error& error) {
+        throw MachineError(fmt::format("beside {}: {}", target.path, error.what()));
     }
     if (call.quiet) return;
     say("sites    {}{}\n", counts.sites, are_weights ? ", the third number a weight" : "");
