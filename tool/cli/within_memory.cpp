@@ -124,7 +124,7 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
             "--memory writes the faces as they come, into one file: -o FILE.npy or "
             "FILE.i32");
     const SitesInput input = input_of(call.input, call.read_as);
-    if (input != SitesInput::text && input != SitesInput::npy && input != SitesInput::f64)
+    if (input != SitesInput::text && !is_array(input))
         throw CallError(
             fmt::format("--memory reads slices of lines x y [r], .npy and .f64, and {} "
                         "is none of these",

@@ -64,6 +64,9 @@ std::span<const SitesInputKind> sites_input_kinds() noexcept {
 bool is_of_space(SitesInput input) noexcept {
     return kind_of(input).is_of_space;
 }
+bool is_array(SitesInput input) noexcept {
+    return kinds[static_cast<std::size_t>(input)].contents == Contents::bytes;
+}
 SitesInput input_by_ending(std::string_view ending) noexcept {
     for (const SitesInputKind& kind : kinds)
         if (!ending.empty() && (ending == kind.name || ending == kind.ending)) return kind.input;

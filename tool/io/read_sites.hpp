@@ -59,6 +59,8 @@ struct SitesInputKind {
 };
 [[nodiscard]] std::span<const SitesInputKind> sites_input_kinds() noexcept;
 [[nodiscard]] bool is_of_space(SitesInput input) noexcept;
+/// Whether it is an array of numbers, of which shares can be read.
+[[nodiscard]] bool is_array(SitesInput input) noexcept;
 /// Text where the ending is none of theirs.
 [[nodiscard]] SitesInput input_by_ending(std::string_view ending) noexcept;
 

@@ -149,8 +149,12 @@ Slices read_slices(Communicator& ranks, const std::string& name, const std::stri
                          "FILE.h5:/path/to/coordinates");
     if (name.ends_with(".h5") || name.ends_with(".hdf5") || name.ends_with(".hdf"))
         throw InputError(name, "which array? give FILE.h5:/path/to/coordinates");
-    if (name.ends_with(".npy")) return read_array(ranks, name, SitesInput::npy);
-    if (name.ends_with(".f64")) return read_array(ranks, name, SitesInput::f64);
+    const SitesInput input = input_by_ending(name.substr(name.find_last_of("./") + 1));
+    if (is_array(input)) return read_array(ranks, name, input);
+    if (input != SitesInput::text)
+        throw InputError(name,
+                         "several ranks read lines x y [r], arrays and HDF5; signum reads the "
+                         "rest");
     return read_text(ranks, name);
 }
 

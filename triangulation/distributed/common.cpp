@@ -42,20 +42,24 @@ std::vector<Placed> endless_of(std::vector<Placed> candidates, Metric metric, We
 
 Farthest::Farthest(Metric metric, const Extent& whole)
     : has_radii_(!traits_of(metric).edges_are_straight) {
-    constexpr int directions = 8;
-    switch (metric) {
-        case Metric::manhattan:
-            vectors_ = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
-            break;
-        case Metric::supremum:
-            vectors_ = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-            break;
-        case Metric::power:
-        case Metric::euclidean:
-            for (int k = 0; k < directions; ++k) {
-                const double angle = 2.0 * std::numbers::pi * k / directions;
-                vectors_.push_back({std::cos(angle), std::sin(angle)});
-            }
+    // Where a step along a diagonal is as long as one along an axis, or as two, the ball of the
+    // norm is a square, and that of the dual norm has its corners on the axes, or on the diagonals.
+    const double diagonal = with_metric(metric, []<class M>(M) {
+        if constexpr (M::traits.edges_are_straight)
+            return std::numbers::sqrt2;
+        else
+            return PredicatesOf<M>::norm(filters::Interval(1.0), filters::Interval(1.0)).high;
+    });
+    if (diagonal == 1.0) {
+        vectors_ = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    } else if (diagonal == 2.0) {
+        vectors_ = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+    } else {
+        constexpr int directions = 8;
+        for (int k = 0; k < directions; ++k) {
+            const double angle = 2.0 * std::numbers::pi * k / directions;
+            vectors_.push_back({std::cos(angle), std::sin(angle)});
+        }
     }
     far_.resize(vectors_.size() * strips);
     for (std::size_t k = 0; k < vectors_.size(); ++k) {

@@ -120,14 +120,10 @@ template <class M>
 [[nodiscard]] Nearness nearness(Point p, const Extent& extent) noexcept {
     const auto [x, y] = gaps(p, extent);
     double norm;
-    if constexpr (M::metric == Metric::power)
+    if constexpr (M::traits.edges_are_straight)
         norm = x * x + y * y;
-    else if constexpr (M::metric == Metric::euclidean)
-        norm = std::hypot(x, y);
-    else if constexpr (M::metric == Metric::manhattan)
-        norm = x + y;
     else
-        norm = std::max(x, y);
+        norm = PredicatesOf<M>::norm(filters::Interval(x), filters::Interval(y)).high;
     const double third = extent.high[2];
     return {norm - third, 0x1p-48 * (norm + std::fabs(third)) + 0x1p-1000};
 }
