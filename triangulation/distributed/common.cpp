@@ -50,9 +50,9 @@ Farthest::Farthest(Metric metric, const Extent& whole)
         else
             return PredicatesOf<M>::norm(filters::Interval(1.0), filters::Interval(1.0)).high;
     });
-    if (diagonal == 1.0) {
+    if (diagonal < 1.25) {
         vectors_ = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-    } else if (diagonal == 2.0) {
+    } else if (diagonal > 1.75) {
         vectors_ = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
     } else {
         constexpr int directions = 8;
