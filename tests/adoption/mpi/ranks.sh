@@ -78,7 +78,7 @@ wrong "a word" 2 'words.txt:333:1: ' words.txt
 sed '250s/.*/7 nan/' lines.txt >nan.txt
 wrong "no number" 2 'nan.txt:250:1: ' nan.txt
 for i in $(seq 40); do echo "$i $i"; done >line.txt
-wrong "a line" 2 'signum triangulate takes them' line.txt
+wrong "a line" 2 'signum triangulate takes them' line.txt --metric power
 wrong "no array named" 2 'which array' some.h5
 wrong "a metric" 2 'none of power' lines.txt --metric manhatan
 head -c 5000 sites.npy >short.npy
