@@ -1,10 +1,8 @@
 #include "triangulate.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 #include <stdexcept>
-#include <string>
 
 #include "../core/insertion_rounds.hpp"
 #include "../triangulation/distributed/common.hpp"
@@ -56,14 +54,6 @@ class RanksExchange final : public Exchange {
     const SiteStore& store_;
 };
 
-void check(std::span<const Placed> sites, Metric metric, WeightIs weight_is) {
-    if (weight_is == WeightIs::weight && !traits_of(metric).has_weights)
-        throw std::invalid_argument(no_weights(metric));
-    for (const auto& [site, id] : sites)
-        if (!std::isfinite(site.x) || !std::isfinite(site.y) || !std::isfinite(site.r))
-            throw std::invalid_argument("site " + std::to_string(id) + " is not finite");
-}
-
 /// Of all sites so many, as they come by their numbers; all of them where they are few.
 std::vector<Placed> sampled(Communicator& ranks, std::span<const Placed> own, std::int64_t whole,
                             std::int64_t wanted) {
@@ -91,7 +81,7 @@ std::vector<Placed> common_sites(Communicator& ranks, const SiteStore& store,
         own = endless_among(store, farthest);
     });
     std::vector<Placed> candidates = ranks.all_of<Placed>(own);
-    ranks.together([&] { own = greatest_of(store.sites(), most_greatest, metric, weight_is); });
+    ranks.together([&] { own = greatest_of(store.sites(), metric, weight_is); });
     const std::vector<Placed> greatest = ranks.all_of<Placed>(own);
     std::vector<Placed> common;
     ranks.together([&] { common = common_of(std::move(candidates), greatest, metric, weight_is); });
@@ -150,32 +140,23 @@ RankTessellation triangulate(std::vector<Placed> sites, MPI_Comm comm, Metric me
 
 Stretch in_order(RankTessellation& tessellation, MPI_Comm comm) {
     Communicator ranks(comm);
-    const std::size_t size = ranks.size();
-    // Faces, edges and hidden sites go to ranks by their first sites, evenly.
-    const auto first_of = [&](std::size_t rank) {
-        return static_cast<std::int64_t>(
-            (static_cast<unsigned __int128>(tessellation.whole) * rank + size - 1) / size);
-    };
-    const auto rank_of = [&](std::int64_t site) {
-        if (site < 0) return std::size_t{0};
-        return static_cast<std::size_t>(static_cast<unsigned __int128>(site) * size /
-                                        static_cast<unsigned __int128>(tessellation.whole));
-    };
-    const std::int64_t first = first_of(ranks.rank());
-    const std::int64_t last = first_of(ranks.rank() + 1);
+    // Faces, edges and hidden sites go to ranks by their first sites.
+    const Stretches stretches(tessellation.whole, ranks.size());
+    const std::int64_t first = stretches.begin(ranks.rank());
+    const std::int64_t last = stretches.begin(ranks.rank() + 1);
 
     Stretch stretch;
-    SortedFaces sorted(
-        ranks.dealt(tessellation.faces, [&](const WholeFace& face) { return rank_of(face[0]); }),
-        ranks.rank() == 0 ? -1 : first, last);
+    SortedFaces sorted(ranks.dealt(tessellation.faces,
+                                   [&](const WholeFace& face) { return stretches.of(face[0]); }),
+                       stretches.begin_of_faces(ranks.rank()), last);
     const auto count = static_cast<std::int64_t>(sorted.faces().size());
     const std::vector<std::int64_t> counts = ranks.all_of<std::int64_t>(std::array{count});
     std::vector<std::int64_t> begins(1, 0);
     for (const std::int64_t each : counts) begins.push_back(begins.back() + each);
     stretch.first_face = begins[ranks.rank()];
     stretch.faces_of_all = begins.back();
-    stretch.hidden = ranks.dealt(tessellation.hidden,
-                                 [&](const WholeHidden& hidden) { return rank_of(hidden.site); });
+    stretch.hidden = ranks.dealt(
+        tessellation.hidden, [&](const WholeHidden& hidden) { return stretches.of(hidden.site); });
     std::ranges::sort(stretch.hidden, {}, &WholeHidden::site);
     stretch.first_hidden = ranks.sum_before(static_cast<std::int64_t>(stretch.hidden.size()));
     stretch.hidden_of_all = ranks.sum(static_cast<std::int64_t>(stretch.hidden.size()));
@@ -188,7 +169,8 @@ Stretch in_order(RankTessellation& tessellation, MPI_Comm comm) {
         std::int64_t number = stretch.first_face;
         for (const WholeFace& face : sorted.faces())
             each_half(face, number++, [&](const HalfOfEdge& half) { halves.push_back(half); });
-        halves = ranks.dealt(halves, [&](const HalfOfEdge& half) { return rank_of(half.lesser); });
+        halves =
+            ranks.dealt(halves, [&](const HalfOfEdge& half) { return stretches.of(half.lesser); });
         ranks.together([&] { across = joined(halves, first, last); });
     }
     // Of edges that are not alone between their sites, who has the neighbour tells its number.
@@ -199,7 +181,7 @@ Stretch in_order(RankTessellation& tessellation, MPI_Comm comm) {
     };
     std::vector<Adjacency> asked =
         ranks.dealt(tessellation.adjacencies,
-                    [&](const Adjacency& each) { return rank_of(each.neighbour[0]); });
+                    [&](const Adjacency& each) { return stretches.of(each.neighbour[0]); });
     std::vector<Numbered> numbered;
     ranks.together([&] {
         for (const auto& [face, corner, neighbour] : asked)
@@ -207,7 +189,8 @@ Stretch in_order(RankTessellation& tessellation, MPI_Comm comm) {
                 {face, corner,
                  stretch.first_face + static_cast<std::int64_t>(sorted.place_of(neighbour))});
     });
-    numbered = ranks.dealt(numbered, [&](const Numbered& each) { return rank_of(each.face[0]); });
+    numbered =
+        ranks.dealt(numbered, [&](const Numbered& each) { return stretches.of(each.face[0]); });
     across = ranks.dealt(across, [&](const Across& each) {
         const auto end = std::ranges::upper_bound(begins, each.place / 4);
         return static_cast<std::size_t>(end - begins.begin()) - 1;

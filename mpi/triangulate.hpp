@@ -6,7 +6,6 @@
 #include <mpi.h>
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -36,7 +35,7 @@ struct RankTessellation {
     std::vector<Star> stars;                          ///< of each of them that is visible
     std::vector<std::int64_t> neighbours;             ///< counterclockwise; -1 for infinity
     std::vector<distributed::WholeFace> faces;        ///< whose least site is one of them
-    std::vector<distributed::Adjacency> adjacencies;  ///< of edges whose lesser site is one
+    std::vector<distributed::Adjacency> adjacencies;  ///< of some edges: Part
     std::vector<distributed::WholeHidden> hidden;     ///< of the sites, those that are
     Cost cost;
 };

@@ -14,6 +14,7 @@
 #include "adversarial_sites.hpp"
 #include "degenerate_sites.hpp"
 #include "in_parts.hpp"
+#include "sites_across_cuts.hpp"
 
 namespace signum {
 namespace {
@@ -78,19 +79,7 @@ TEST_P(Distributed, OfFewDegenerateSites) {
 /// their own.
 TEST_P(Distributed, OfManyDegenerateSites) {
     for (int trial = 0; trial < 6 * thoroughness; ++trial) {
-        Random random(static_cast<std::uint64_t>(trial));
-        const int count = random.between(300, 1500);
-        const int span = random.between(20, 60);
-        const int most = trial % 3 == 0 ? 0 : random.between(1, 4);
-        std::vector<Site> sites;
-        for (int i = 0; i < count; ++i)
-            sites.push_back({static_cast<double>(random.between(0, span)),
-                             static_cast<double>(random.between(0, span)),
-                             static_cast<double>(random.between(0, most))});
-        for (int i = trial % 4; i > 0; --i)
-            sites.push_back({static_cast<double>(random.between(-span, 2 * span)),
-                             static_cast<double>(random.between(-span, 2 * span)),
-                             static_cast<double>(random.between(0, span / 2))});
+        const std::vector<Site> sites = brute_force::integers_and_giants(trial);
         expect_the_same(sites, GetParam(), some, "trial " + std::to_string(trial),
                         std::int64_t{trial % 2} << 40);
         if (HasFatalFailure()) return;
@@ -101,14 +90,7 @@ TEST_P(Distributed, OfManyDegenerateSites) {
 /// beyond the cut, and hides what is there: more giants than those that all parts know.
 TEST_P(Distributed, WhereOneSideHidesTheOther) {
     for (int trial = 0; trial < 3 * thoroughness; ++trial) {
-        Random random(static_cast<std::uint64_t>(trial));
-        const double more = std::ldexp(1.0, random.between(-2, 5));
-        std::vector<Site> sites;
-        for (int i = 0; i < 1200; ++i) {
-            const Site site = {random.between(0, 1000) * 0.03125, random.between(0, 1000) * 0.03125,
-                               random.between(0, 100) * 0.0078125};
-            sites.push_back({site.x, site.y, site.r + (site.x > 15 ? more : 0.0)});
-        }
+        std::vector<Site> sites = brute_force::one_side_hides_the_other(trial);
         expect_the_same(sites, GetParam(), some, "trial " + std::to_string(trial));
         const bool has_weights = traits_of(GetParam()).has_weights;
         if (has_weights)
@@ -161,12 +143,7 @@ TEST_P(Distributed, OfDistributions) {
 /// Huge and tiny: beyond the filters' windows, and beyond a double's range in between.
 TEST_P(Distributed, OfAnyMagnitude) {
     for (int exponent = -1060; exponent <= 1012; exponent += exponent == -1060 ? 40 : 111) {
-        Random random(5);
-        std::vector<Site> sites;
-        for (int i = 0; i < 300; ++i)
-            sites.push_back({std::ldexp(random.between(-1000, 1000), exponent),
-                             std::ldexp(random.between(-1000, 1000), exponent),
-                             std::ldexp(random.between(0, 60), exponent)});
+        const std::vector<Site> sites = brute_force::sites_of_magnitude(exponent, 300);
         expect_the_same(sites, GetParam(), some, "2^" + std::to_string(exponent));
         if (HasFatalFailure()) return;
     }

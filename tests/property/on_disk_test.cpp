@@ -21,8 +21,8 @@
 namespace signum {
 namespace {
 
-using distributed::Counts;
 using distributed::Placed;
+using distributed::WholeCounts;
 using distributed::WholeFace;
 
 distributed::SlicedSites in_slices(const std::vector<Site>& sites, std::size_t slices) {
@@ -37,7 +37,7 @@ distributed::SlicedSites in_slices(const std::vector<Site>& sites, std::size_t s
 const std::string folder = std::filesystem::temp_directory_path().string();
 
 struct Result {
-    Counts counts;
+    WholeCounts counts;
     std::vector<WholeFace> faces;
     std::vector<double> told;
 };
@@ -48,7 +48,7 @@ Result built(const std::vector<Site>& sites, std::size_t slices, Metric metric,
     options.progress = [&](double share) { result.told.push_back(share); };
     distributed::triangulate_on_disk(
         in_slices(sites, slices), metric, WeightIs::radius, options,
-        [&](const Counts& counts) { result.counts = counts; },
+        [&](const WholeCounts& counts) { result.counts = counts; },
         [&](std::span<const WholeFace> faces) {
             result.faces.insert(result.faces.end(), faces.begin(), faces.end());
         });
@@ -108,7 +108,7 @@ TEST(OnDisk, SaysWhereItCannotWrite) {
     const std::vector<Site> sites = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     EXPECT_THROW(distributed::triangulate_on_disk(
                      in_slices(sites, 1), Metric::power, WeightIs::radius,
-                     {.parts = 2, .folder = "/nowhere"}, [](const Counts&) {},
+                     {.parts = 2, .folder = "/nowhere"}, [](const WholeCounts&) {},
                      [](std::span<const WholeFace>) {}),
                  std::system_error);
 }

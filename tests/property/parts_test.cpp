@@ -14,6 +14,7 @@
 #include "../thoroughness.hpp"
 #include "adversarial_sites.hpp"
 #include "degenerate_sites.hpp"
+#include "sites_across_cuts.hpp"
 
 namespace signum {
 namespace {
@@ -48,19 +49,7 @@ TEST_P(Parts, OfFewDegenerateSites) {
 /// Small integers with giants among them: so many sites that parts have an inside of their own.
 TEST_P(Parts, OfManyDegenerateSites) {
     for (int trial = 0; trial < 15 * thoroughness; ++trial) {
-        Random random(static_cast<std::uint64_t>(trial));
-        const int count = random.between(300, 1500);
-        const int span = random.between(20, 60);
-        const int most = trial % 3 == 0 ? 0 : random.between(1, 4);
-        std::vector<Site> sites;
-        for (int i = 0; i < count; ++i)
-            sites.push_back({static_cast<double>(random.between(0, span)),
-                             static_cast<double>(random.between(0, span)),
-                             static_cast<double>(random.between(0, most))});
-        for (int i = trial % 4; i > 0; --i)
-            sites.push_back({static_cast<double>(random.between(-span, 2 * span)),
-                             static_cast<double>(random.between(-span, 2 * span)),
-                             static_cast<double>(random.between(0, span / 2))});
+        const std::vector<Site> sites = brute_force::integers_and_giants(trial);
         expect_the_same(sites, GetParam(), 4, "trial " + std::to_string(trial));
         if (HasFatalFailure()) return;
     }
@@ -70,14 +59,7 @@ TEST_P(Parts, OfManyDegenerateSites) {
 /// beyond the cut, and hides what is there.
 TEST_P(Parts, WhereOneSideHidesTheOther) {
     for (int trial = 0; trial < 15 * thoroughness; ++trial) {
-        Random random(static_cast<std::uint64_t>(trial));
-        const double more = std::ldexp(1.0, random.between(-2, 5));
-        std::vector<Site> sites;
-        for (int i = 0; i < 1200; ++i) {
-            const Site site = {random.between(0, 1000) * 0.03125, random.between(0, 1000) * 0.03125,
-                               random.between(0, 100) * 0.0078125};
-            sites.push_back({site.x, site.y, site.r + (site.x > 15 ? more : 0.0)});
-        }
+        std::vector<Site> sites = brute_force::one_side_hides_the_other(trial);
         expect_the_same(sites, GetParam(), 4, "trial " + std::to_string(trial));
         const bool has_weights = traits_of(GetParam()).has_weights;
         if (has_weights)
@@ -109,12 +91,7 @@ TEST_P(Parts, OfDistributions) {
 /// Huge and tiny: beyond the filters' windows, and beyond a double's range in between.
 TEST_P(Parts, OfAnyMagnitude) {
     for (int exponent = -1060; exponent <= 1012; exponent += exponent == -1060 ? 40 : 37) {
-        Random random(5);
-        std::vector<Site> sites;
-        for (int i = 0; i < 400; ++i)
-            sites.push_back({std::ldexp(random.between(-1000, 1000), exponent),
-                             std::ldexp(random.between(-1000, 1000), exponent),
-                             std::ldexp(random.between(0, 60), exponent)});
+        const std::vector<Site> sites = brute_force::sites_of_magnitude(exponent, 400);
         expect_the_same(sites, GetParam(), 2, "2^" + std::to_string(exponent));
         if (HasFatalFailure()) return;
     }

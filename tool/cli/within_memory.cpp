@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <system_error>
 #include <vector>
@@ -26,7 +25,6 @@
 namespace signum::cli {
 namespace {
 
-using distributed::Counts;
 using distributed::Placed;
 using distributed::WholeFace;
 
@@ -84,17 +82,6 @@ class Slices {
     std::int64_t lines_ = 0;
 };
 
-void put_faces(std::ostream& out, std::span<const WholeFace> faces, bool are_long) {
-    const auto put = [&]<class Number>(Number) {
-        std::vector<Number> numbers;
-        numbers.reserve(3 * faces.size());
-        for (const WholeFace& face : faces)
-            for (const std::int64_t site : face) numbers.push_back(static_cast<Number>(site));
-        put_bytes(out, std::span<const Number>(numbers));
-    };
-    are_long ? put(std::int64_t{}) : put(std::int32_t{});
-}
-
 }  // namespace
 
 void add_memory(CLI::App& command, std::string& memory) {
@@ -148,35 +135,34 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
     // A quarter is for what all parts know, and for reading and sorting.
     const double fit = 0.75 * static_cast<double>(bytes) /
                        static_cast<double>(distributed::bytes_a_site) / workers.count();
-    constexpr double most_parts = 500;
-    const double parts = std::ceil(most_sites / fit);
-    if (parts > most_parts)
+    const double parts = std::max(std::ceil(most_sites / fit), 1.0);
+    if (parts > static_cast<double>(distributed::most_parts))
         throw CallError(
             fmt::format("--memory {} is too little for the {} bytes of {}: its parts "
-                        "would be more than 500",
-                        memory, size, call.input));
+                        "would be more than {}",
+                        memory, size, call.input, distributed::most_parts));
 
     const auto start = std::chrono::steady_clock::now();
     const Outputs outputs(targets);
-    Counts counts;
+    distributed::WholeCounts counts;
     Slices slices(call, input, size);
     const auto write = [&](std::ostream& out) {
         with_progress(call.quiet, [&](const std::function<void(double)>& show) {
-            bool are_long = false;
             distributed::triangulate_on_disk(
                 slices.view(), metric, are_weights ? WeightIs::weight : WeightIs::radius,
-                {.parts = static_cast<std::size_t>(std::max(parts, 1.0)),
+                {.parts = static_cast<std::size_t>(parts),
                  .threads = call.threads,
                  .folder = std::filesystem::absolute(target.path).parent_path().string(),
                  .progress = show},
-                [&](const Counts& known) {
+                [&](const distributed::WholeCounts& known) {
                     counts = known;
-                    are_long = counts.sites > std::numeric_limits<std::int32_t>::max();
                     if (target.format == "npy")
-                        put_npy_head(out, are_long ? "i8" : "i4",
+                        put_npy_head(out, SiteNumbers(counts.sites).type(),
                                      static_cast<std::size_t>(counts.faces), 3);
                 },
-                [&](std::span<const WholeFace> faces) { put_faces(out, faces, are_long); });
+                [&](std::span<const WholeFace> faces) {
+                    put_bytes(out, std::span<const char>(SiteNumbers(counts.sites).bytes(faces)));
+                });
             return 0;
         });
     };
@@ -192,7 +178,7 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
     say("visible  {}\n", counts.sites - counts.hidden);
     say("hidden   {}\n", counts.hidden);
     say("faces    {}, {} of them infinite\n", counts.faces, counts.infinite_faces);
-    say("parts    {}\n", std::max(parts, 1.0));
+    say("parts    {}\n", parts);
     say("seconds  {:.3g}\n", study::seconds_since(start));
     say("{}", written(targets));
 }

@@ -80,24 +80,17 @@ class SharedFile {
 /// Faces as numbers of 32 bits, of 64 where there are so many sites.
 void write_faces(Communicator& ranks, const std::string& name, const Whole& whole, bool has_head) {
     SharedFile file(ranks, name);
-    const bool is_long = whole.sites > std::numeric_limits<std::int32_t>::max();
+    const SiteNumbers numbers(whole.sites);
     std::ostringstream head;
     if (has_head)
-        put_npy_head(head, is_long ? "i8" : "i4",
-                     static_cast<std::size_t>(whole.stretch.faces_of_all), 3);
-    const std::string bytes = head.str();
+        put_npy_head(head, numbers.type(), static_cast<std::size_t>(whole.stretch.faces_of_all), 3);
+    const std::string start = head.str();
     ranks.together([&] {
-        if (ranks.rank() == 0) file.write(0, bytes.data(), bytes.size());
-        const auto put = [&]<class Number>(Number) {
-            std::vector<Number> numbers;
-            numbers.reserve(3 * whole.stretch.faces.size());
-            for (const WholeFace& face : whole.stretch.faces)
-                for (const std::int64_t site : face) numbers.push_back(static_cast<Number>(site));
-            file.write(bytes.size() + static_cast<std::uint64_t>(whole.stretch.first_face) * 3 *
-                                          sizeof(Number),
-                       numbers.data(), numbers.size() * sizeof(Number));
-        };
-        is_long ? put(std::int64_t{}) : put(std::int32_t{});
+        if (ranks.rank() == 0) file.write(0, start.data(), start.size());
+        const std::vector<char> bytes = numbers.bytes(whole.stretch.faces);
+        file.write(start.size() + static_cast<std::uint64_t>(whole.stretch.first_face) *
+                                      numbers.bytes_a_face(),
+                   bytes.data(), bytes.size());
         file.finish();
     });
 }

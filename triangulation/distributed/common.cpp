@@ -140,24 +140,24 @@ std::vector<Placed> endless_among(const SiteStore& store, const Farthest& farthe
     return again.sites_where(may_be_endless(better));
 }
 
-std::vector<Placed> greatest_of(std::span<const Placed> sites, std::size_t most, Metric metric,
-                                WeightIs weight_is) {
+std::vector<Placed> greatest_of(std::span<const Placed> sites, Metric metric, WeightIs weight_is) {
     return with_kernel(metric, weight_is, [&]<class M, WeightIs w>() {
         const auto third = [](const Placed& each) { return third_of<M, w>(each.site); };
         std::vector<Placed> result;
         // All that are no less than the least kept, thinned out now and then.
         double least = -HUGE_VAL;
         const auto thin_out = [&] {
-            if (result.size() <= most) return;
-            std::ranges::nth_element(result, result.begin() + static_cast<std::ptrdiff_t>(most),
+            if (result.size() <= most_greatest) return;
+            std::ranges::nth_element(result,
+                                     result.begin() + static_cast<std::ptrdiff_t>(most_greatest),
                                      std::greater(), third);
-            least = third(result[most]);
+            least = third(result[most_greatest]);
             std::erase_if(result, [&](const Placed& each) { return third(each) <= least; });
         };
         for (const Placed& each : sites) {
             if (!(third(each) > least)) continue;
             result.push_back(each);
-            if (result.size() > 2 * most + 16) thin_out();
+            if (result.size() > 2 * most_greatest) thin_out();
         }
         thin_out();
         return result;
@@ -167,7 +167,7 @@ std::vector<Placed> greatest_of(std::span<const Placed> sites, std::size_t most,
 std::vector<Placed> common_of(std::vector<Placed> endless, std::span<const Placed> greatest,
                               Metric metric, WeightIs weight_is) {
     std::vector<Placed> common = endless_of(std::move(endless), metric, weight_is);
-    const std::vector<Placed> more = greatest_of(greatest, most_greatest, metric, weight_is);
+    const std::vector<Placed> more = greatest_of(greatest, metric, weight_is);
     common.insert(common.end(), more.begin(), more.end());
     std::ranges::sort(common, {}, &Placed::id);
     const auto same = std::ranges::unique(common, {}, &Placed::id);

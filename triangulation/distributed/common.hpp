@@ -62,9 +62,9 @@ class Farthest {
 /// among them, too.
 [[nodiscard]] std::vector<Placed> endless_among(const SiteStore& store, const Farthest& farthest);
 
-/// Those with the greatest third numbers, at most so many; fewer where others have the same.
-[[nodiscard]] std::vector<Placed> greatest_of(std::span<const Placed> sites, std::size_t most,
-                                              Metric metric, WeightIs weight_is);
+/// Those with the greatest third numbers, most_greatest or, where others have the same, fewer.
+[[nodiscard]] std::vector<Placed> greatest_of(std::span<const Placed> sites, Metric metric,
+                                              WeightIs weight_is);
 
 /// All that are common, by their numbers: of what endless_among() finds in the parts those whose
 /// cells have no end, and of what greatest_of() finds there the greatest. Throws NoStructure

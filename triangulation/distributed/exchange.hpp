@@ -37,6 +37,12 @@ using Extent = Bounds<3>;
     return !(extent.low[0] <= extent.high[0]);
 }
 
+/// Whether they have a place in common; third numbers do not matter.
+[[nodiscard]] inline bool meet(const Extent& a, const Extent& b) noexcept {
+    return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
+           b.low[1] <= a.high[1];
+}
+
 /// What one part asks another, of which all sites are meant that it owns.
 struct Questions {
     /// Which have their centres in one of these? Third numbers do not matter.

@@ -48,6 +48,16 @@ decltype(auto) with_kernel(Metric metric, WeightIs weight_is, const Work& work) 
     });
 }
 
+/// The places of a few sites in the order of their numbers.
+template <std::size_t n>
+[[nodiscard]] std::array<Index, n> numbered(const std::array<const Placed*, n>& sites) noexcept {
+    std::array<Index, n> numbers{};
+    for (std::size_t a = 0; a < n; ++a)
+        for (std::size_t b = 0; b < n; ++b)
+            numbers[a] += static_cast<Index>(sites[b]->id < sites[a]->id);
+    return numbers;
+}
+
 /// A few sites, and a kernel that knows them by their places.
 template <class M, WeightIs weight_is, std::size_t n>
 class Few {
@@ -55,7 +65,8 @@ class Few {
     using S = typename Kernel::SiteType;
 
  public:
-    explicit Few(const std::array<const Placed*, n>& given) : kernel_(make(given)) {}
+    explicit Few(const std::array<const Placed*, n>& given)
+        : numbers_(numbered(given)), kernel_(make(given)) {}
     Few(const Few&) = delete;
     Few& operator=(const Few&) = delete;
 
@@ -63,11 +74,6 @@ class Few {
 
  private:
     [[nodiscard]] Kernel make(const std::array<const Placed*, n>& given) {
-        for (std::size_t a = 0; a < n; ++a) {
-            numbers_[a] = 0;
-            for (std::size_t b = 0; b < n; ++b)
-                numbers_[a] += static_cast<Index>(given[b]->id < given[a]->id);
-        }
         if constexpr (Kernel::is_straight) {
             for (std::size_t a = 0; a < n; ++a)
                 sites_[a] = PredicatesOf<M, weight_is>::site(given[a]->site);
@@ -132,23 +138,15 @@ template <class M>
 template <class M, WeightIs weight_is>
 class Ball {
  public:
-    explicit Ball(const std::array<Placed, 3>& face) noexcept
-        : Ball({&face[0].site, &face[1].site, &face[2].site}, [&] {
-              Face numbers{};
-              for (std::size_t a = 0; a < 3; ++a)
-                  for (std::size_t b = 0; b < 3; ++b)
-                      numbers[a] += static_cast<Index>(face[b].id < face[a].id);
-              return numbers;
-          }()) {}
-    /// `numbers` are in the order of those in the whole.
-    Ball(const std::array<const Site*, 3>& face, const Face& numbers) noexcept {
+    explicit Ball(const std::array<Placed, 3>& face) noexcept {
+        const auto& [a, b, c] = face;
         if constexpr (M::traits.edges_are_straight) {
-            const auto site = [&](std::size_t k) {
-                return PredicatesOf<M, weight_is>::site(*face[k]);
-            };
-            circle_ = triangulation::circle_of(site(0), site(1), site(2));
+            using Predicates = PredicatesOf<M, weight_is>;
+            circle_ = triangulation::circle_of(Predicates::site(a.site), Predicates::site(b.site),
+                                               Predicates::site(c.site));
         } else {
-            vertex_ = triangulation::vertex_of_face<M>(face, numbers, weight_is);
+            vertex_ = triangulation::vertex_of_face<M>({&a.site, &b.site, &c.site},
+                                                       numbered<3>({&a, &b, &c}), weight_is);
         }
     }
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <mutex>
@@ -130,11 +130,11 @@ class Mapped {
     const T* values_ = nullptr;
 };
 
-/// A constant share of the work is done.
+/// How far the work is.
 class Steps {
  public:
     Steps(const DiskOptions& options, std::size_t all) : options_(options), all_(all) {}
-    /// One step more; on the calling thread it is said.
+    /// One more of as many as there are, on whatever thread. Throws Stopped.
     void step() {
         const std::size_t done = ++done_;
         if (options_.stop.stop_requested()) throw Stopped();
@@ -153,24 +153,18 @@ class Steps {
     std::size_t told_ = 0;
 };
 
-void check(std::span<const Placed> sites) {
-    for (const auto& [site, id] : sites)
-        if (!std::isfinite(site.x) || !std::isfinite(site.y) || !std::isfinite(site.r))
-            throw std::invalid_argument("site " + std::to_string(id) + " is not finite");
-}
-
 }  // namespace
 
 void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weight_is,
                          const DiskOptions& options,
-                         const std::function<void(const Counts&)>& begin,
+                         const std::function<void(const WholeCounts&)>& begin,
                          const std::function<void(std::span<const WholeFace>)>& put) {
-    constexpr std::size_t most_parts = 500;
     const std::size_t parts = options.parts;
     if (parts == 0 || parts > most_parts)
-        throw std::invalid_argument("parts: " + std::to_string(parts) + ", 1 to 500 are possible");
+        throw std::invalid_argument("parts: " + std::to_string(parts) + ", 1 to " +
+                                    std::to_string(most_parts) + " are possible");
     Steps steps(options, 2 * sites.slices + 3 * parts);
-    Counts counts;
+    WholeCounts counts;
 
     // Once through the sites for a sample: all of the first ones, then ever fewer.
     constexpr std::size_t most_sampled = 65'536;
@@ -178,7 +172,7 @@ void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weigh
     std::uint64_t spared = ~std::uint64_t{0};
     for (std::size_t slice = 0; slice < sites.slices; ++slice) {
         const std::vector<Placed> some = sites.read(slice);
-        check(some);
+        check(some, metric, weight_is);
         counts.sites += static_cast<std::int64_t>(some.size());
         const auto is_in = [&](const Placed& each) {
             return mix(static_cast<std::uint64_t>(each.id)) <= spared;
@@ -238,7 +232,7 @@ void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weigh
     };
     for (const SiteStore& store : stores) {
         add(candidates, endless_among(store, farthest));
-        add(greatest, greatest_of(store.sites(), most_greatest, metric, weight_is));
+        add(greatest, greatest_of(store.sites(), metric, weight_is));
         mapped.forget();
     }
     const std::vector<Placed> common =
@@ -250,11 +244,7 @@ void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weigh
     }
 
     // Faces go to files by their first sites.
-    const auto file_of = [&](const WholeFace& face) {
-        return static_cast<std::size_t>(
-            static_cast<unsigned __int128>(std::max<std::int64_t>(face[0], 0)) * parts /
-            static_cast<unsigned __int128>(counts.sites));
-    };
+    const Stretches stretches(counts.sites, parts);
     std::vector<Scratch<WholeFace>> files;
     for (std::size_t k = 0; k < parts; ++k) files.emplace_back(options.folder);
     std::mutex one_at_a_time;
@@ -272,7 +262,7 @@ void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weigh
         part->each_face([&](const WholeFace& face) {
             ++counts.faces;
             counts.infinite_faces += face[0] < 0 ? 1 : 0;
-            files[file_of(face)].append(face);
+            files[stretches.of(face[0])].append(face);
         });
         mapped.forget();
         steps.step();
@@ -280,11 +270,8 @@ void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weigh
 
     begin(counts);
     for (std::size_t k = 0; k < parts; ++k) {
-        const auto first_of = [&](std::size_t file) {
-            return static_cast<std::int64_t>(
-                (static_cast<unsigned __int128>(counts.sites) * file + parts - 1) / parts);
-        };
-        const SortedFaces sorted(files[k].read(), k == 0 ? -1 : first_of(k), first_of(k + 1));
+        const SortedFaces sorted(files[k].read(), stretches.begin_of_faces(k),
+                                 stretches.begin(k + 1));
         put(sorted.faces());
         steps.step();
     }

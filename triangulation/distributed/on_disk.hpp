@@ -27,6 +27,9 @@ struct SlicedSites {
 /// How many bytes a site of a part takes while that is settled, and when faces are sorted.
 inline constexpr std::int64_t bytes_a_site = 320;
 
+/// Each part has a file open, twice.
+inline constexpr std::size_t most_parts = 500;
+
 struct DiskOptions {
     std::size_t parts = 1;
     int threads = 0;           ///< that settle parts, as Options::threads
@@ -36,7 +39,7 @@ struct DiskOptions {
 };
 
 /// How much there is of it.
-struct Counts {
+struct WholeCounts {
     std::int64_t sites = 0;
     std::int64_t hidden = 0;
     std::int64_t faces = 0;
@@ -44,11 +47,11 @@ struct Counts {
 };
 
 /// Calls begin(counts), and put(faces) for one stretch after the other of the faces in the order of
-/// arrays.hpp. Throws NoStructure, std::invalid_argument (numbers that are not finite, more parts
-/// than 500), Stopped, std::system_error where the disk fails.
+/// arrays.hpp. Throws NoStructure, std::invalid_argument (what check() says, or no part, or more
+/// than most_parts), Stopped, std::system_error where the disk fails.
 void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weight_is,
                          const DiskOptions& options,
-                         const std::function<void(const Counts&)>& begin,
+                         const std::function<void(const WholeCounts&)>& begin,
                          const std::function<void(std::span<const WholeFace>)>& put);
 
 }  // namespace signum::distributed

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <unordered_set>
 #include <vector>
 
@@ -126,10 +125,6 @@ class PartOf final : public Part {
 
  private:
     [[nodiscard]] bool is_own(Index v) const noexcept { return v >= 0 && at(v) < own_; }
-    [[nodiscard]] static bool meet(const Extent& a, const Extent& b) noexcept {
-        return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
-               b.low[1] <= a.high[1];
-    }
 
     // ---- who is known ----------------------------------------------------------------------
 
@@ -158,7 +153,7 @@ class PartOf final : public Part {
             if (q == number || is_empty(parts[q].extent)) continue;
             greatest = std::max(greatest, parts[q].extent.high[2]);
             for (const Extent& beyond : sides_of(known_, far)) {
-                const Extent extent = common_of(parts[q].extent, beyond);
+                const Extent extent = overlap(parts[q].extent, beyond);
                 if (meet(extent, extent)) unknown_.push_back({q, extent});
             }
         }
@@ -177,7 +172,7 @@ class PartOf final : public Part {
         }
         return sides;
     }
-    [[nodiscard]] static Extent common_of(const Extent& a, const Extent& b) noexcept {
+    [[nodiscard]] static Extent overlap(const Extent& a, const Extent& b) noexcept {
         Extent both = a;
         for (std::size_t axis = 0; axis < 2; ++axis) {
             both.low[axis] = std::max(a.low[axis], b.low[axis]);
@@ -412,29 +407,31 @@ class PartOf final : public Part {
         }
         return edges;
     }
+    /// Calls ask(part) for each part of whose sites that are not known may(extent) says so.
+    template <class May, class Ask>
+    void for_parts_with(const May& may, const Ask& ask) const {
+        std::size_t asked = std::numeric_limits<std::size_t>::max();
+        for (const auto& [part, extent] : unknown_) {
+            if (part == asked || !may(extent)) continue;
+            ask(part);
+            asked = part;
+        }
+    }
     void ask_about_edge(HalfEdge h, std::vector<Questions>& questions) {
         const auto about = topology_.about(h);
         EdgeQuestion question;
         for (std::size_t k = 0; k < 4; ++k)
             question[k] = about[k] < 0 ? at_infinity() : placed(about[k]);
         const Middle middle(question[0].site, question[1].site);
-        std::size_t asked = std::numeric_limits<std::size_t>::max();
-        for (const auto& [part, extent] : unknown_) {
-            if (part == asked || !middle.may_be_taken_from(extent)) continue;
-            questions[part].edges.push_back(question);
-            asked = part;
-        }
+        for_parts_with([&](const Extent& extent) { return middle.may_be_taken_from(extent); },
+                       [&](std::size_t part) { questions[part].edges.push_back(question); });
         ++told_.edges;
     }
     void ask_about_face(Index f, std::vector<Questions>& questions) {
         const std::array<Placed, 3> face = corners(f);
         const Ball<M, weight_is> ball(face);
-        std::size_t asked = std::numeric_limits<std::size_t>::max();
-        for (const auto& [part, extent] : unknown_) {
-            if (part == asked || !ball.may_be_reached_from(extent)) continue;
-            questions[part].faces.push_back(face);
-            asked = part;
-        }
+        for_parts_with([&](const Extent& extent) { return ball.may_be_reached_from(extent); },
+                       [&](std::size_t part) { questions[part].faces.push_back(face); });
         ++told_.faces;
     }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 #include <queue>
+#include <stdexcept>
+#include <string>
 
 #include "../../exact/floating_environment.hpp"
 #include "../insertion/edge_interior.hpp"
@@ -13,11 +15,19 @@
 namespace signum::distributed {
 namespace {
 
-/// So many sites that follow one another have a box together.
+/// So many sites that follow one another have a box together, a block: a leaf of the tree.
 constexpr std::size_t together = 64;
 /// So many sites at most are told of one face: it goes with the first of them, and what comes in
 /// its place is asked about anew.
 constexpr std::size_t most = 4;
+
+std::size_t blocks_of(std::span<const Placed> sites) noexcept {
+    return (sites.size() + together - 1) / together;
+}
+std::span<const Placed> block_of(std::span<const Placed> sites, std::size_t block) noexcept {
+    const std::size_t begin = block * together;
+    return sites.subspan(begin, std::min(together, sites.size() - begin));
+}
 
 /// Sites and boxes of sites, what is nearest first.
 template <class Near>
@@ -36,7 +46,7 @@ class Nearest {
             const Entry entry = queue_.top();
             queue_.pop();
             if (entry.node == nullptr) {
-                if (!take(sites_[entry.site])) return;
+                if (!take(*entry.site)) return;
                 continue;
             }
             const auto& node = *entry.node;
@@ -45,9 +55,8 @@ class Nearest {
                 look_at(tree_.nodes()[node.second]);
                 continue;
             }
-            const std::size_t end = std::min(sites_.size(), node.last * together);
-            for (std::size_t i = node.first * together; i < end; ++i)
-                put(extent_of(sites_[i].site), {0.0, nullptr, i});
+            for (const Placed& site : block_of(sites_, node.first))
+                put(extent_of(site.site), {0.0, nullptr, &site});
         }
     }
 
@@ -55,10 +64,10 @@ class Nearest {
     struct Entry {
         double key;
         const BoxTree<3>::Node* node;
-        std::size_t site;
+        const Placed* site;
         [[nodiscard]] bool operator<(const Entry& other) const noexcept { return key > other.key; }
     };
-    void look_at(const BoxTree<3>::Node& node) { put(node, {0.0, &node, 0}); }
+    void look_at(const BoxTree<3>::Node& node) { put(node, {0.0, &node, nullptr}); }
     void put(const Extent& extent, Entry entry) {
         const std::optional<double> key = near_(extent);
         if (!key) return;
@@ -84,10 +93,9 @@ class Answering {
             if (excess > 0.0) return std::nullopt;
             return excess;
         });
-        std::size_t count = 0;
+        const std::size_t before = found.size();
         nearest.visit(extent_of<M, weight_is>, [&](const Placed& site) {
-            for (const Placed& corner : face)
-                if (corner.id == site.id) return true;
+            if (std::ranges::find(face, site.id, &Placed::id) != face.end()) return true;
             Few<M, weight_is, 4> few({&face[0], &face[1], &face[2], &site});
             bool conflicts;
             if constexpr (M::traits.edges_are_straight)
@@ -96,7 +104,7 @@ class Answering {
                 conflicts = few.kernel().conflicts_if_visible(0, 1, 2, 3);
             if (!conflicts) return true;
             found.push_back(site);
-            return ++count < most;
+            return found.size() < before + most;
         });
     }
 
@@ -107,19 +115,17 @@ class Answering {
             const auto meets = [&](const Extent& extent) {
                 return middle.may_be_taken_from(extent);
             };
-            std::size_t count = 0;
+            const std::size_t before = found.size();
             const auto never = [](const auto&, const auto&) { return false; };
             tree_.visit(meets, never, [&](const auto& node) {
-                const std::size_t end = std::min(node.last * together, sites_.size());
-                for (std::size_t s = node.first * together; s < end; ++s) {
-                    const Placed& site = sites_[s];
+                for (const Placed& site : block_of(sites_, node.first)) {
                     if (!meets(extent_of<M, weight_is>(site.site))) continue;
                     if (std::ranges::find(edge, site.id, &Placed::id) != edge.end()) continue;
                     Few<M, weight_is, 5> few({&i, &j, &k, &l, &site});
                     if (takes_middle(few.kernel(), k.id < 0 ? infinite : 2,
                                      l.id < 0 ? infinite : 3))
-                        found.push_back(site), ++count;
-                    if (count == most) return false;
+                        found.push_back(site);
+                    if (found.size() == before + most) return false;
                 }
                 return true;
             });
@@ -164,6 +170,14 @@ class Answering {
 
 }  // namespace
 
+void check(std::span<const Placed> sites, Metric metric, WeightIs weight_is) {
+    if (weight_is == WeightIs::weight && !traits_of(metric).has_weights)
+        throw std::invalid_argument(no_weights(metric));
+    for (const auto& [site, id] : sites)
+        if (!std::isfinite(site.x) || !std::isfinite(site.y) || !std::isfinite(site.r))
+            throw std::invalid_argument("site " + std::to_string(id) + " is not finite");
+}
+
 void order_along_curve(std::span<Placed> sites) {
     if (sites.empty()) return;
     const StridedSites view(sites.size(), sizeof(Placed), &sites.front().site.x,
@@ -178,12 +192,10 @@ void order_along_curve(std::span<Placed> sites) {
 SiteStore::SiteStore(std::span<const Placed> sites, Metric metric, WeightIs weight_is)
     : sites_(sites), metric_(metric), weight_is_(weight_is), extent_(no_extent()) {
     with_kernel(metric, weight_is, [&]<class M, WeightIs w>() {
-        tree_ = {(sites.size() + together - 1) / together, 1, 0, [&](std::size_t block) {
-                     const std::size_t begin = block * together;
-                     const std::size_t end = std::min(begin + together, sites.size());
+        tree_ = {blocks_of(sites), 1, 0, [&](std::size_t block) {
                      Extent extent = no_extent();
-                     for (std::size_t i = begin; i < end; ++i)
-                         extent.include(extent_of<M, w>(sites[i].site));
+                     for (const Placed& each : block_of(sites, block))
+                         extent.include(extent_of<M, w>(each.site));
                      return extent;
                  }};
     });
@@ -204,9 +216,8 @@ std::vector<Placed> SiteStore::sites_where(const std::function<bool(const Extent
     return with_kernel(metric_, weight_is_, [&]<class M, WeightIs w>() {
         std::vector<Placed> result;
         tree_.visit(may_be, [&](std::uint32_t block) {
-            const std::size_t end = std::min((block + 1) * together, sites_.size());
-            for (std::size_t i = block * together; i < end; ++i)
-                if (may_be(extent_of<M, w>(sites_[i].site))) result.push_back(sites_[i]);
+            for (const Placed& each : block_of(sites_, block))
+                if (may_be(extent_of<M, w>(each.site))) result.push_back(each);
         });
         return result;
     });
@@ -223,18 +234,9 @@ Answers SiteStore::answer(const Questions& questions) const {
     const exact::IeeeEnvironment environment;
     Answers answers;
     for (const Extent& box : questions.boxes) {
-        const auto meets = [&](const Extent& extent) {
-            for (std::size_t axis = 0; axis < 2; ++axis)
-                if (extent.low[axis] > box.high[axis] || extent.high[axis] < box.low[axis])
-                    return false;
-            return true;
-        };
-        tree_.visit(meets, [&](std::uint32_t block) {
-            const std::size_t end = std::min((block + 1) * together, sites_.size());
-            for (std::size_t i = block * together; i < end; ++i)
-                if (meets(Extent::point({sites_[i].site.x, sites_[i].site.y, 0.0})))
-                    answers.sites.push_back(sites_[i]);
-        });
+        const std::vector<Placed> in_box =
+            sites_where([&](const Extent& extent) { return meet(extent, box); });
+        answers.sites.insert(answers.sites.end(), in_box.begin(), in_box.end());
     }
     if (questions.faces.empty() && questions.edges.empty() && questions.hidden.empty())
         return answers;

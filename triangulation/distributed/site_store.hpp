@@ -12,6 +12,10 @@
 
 namespace signum::distributed {
 
+/// Throws std::invalid_argument for weights in a metric without them, and for a number that is not
+/// finite, naming the site.
+void check(std::span<const Placed> sites, Metric metric, WeightIs weight_is);
+
 /// Puts sites in an order in which those that follow one another are near. O(n log n).
 void order_along_curve(std::span<Placed> sites);
 

@@ -11,6 +11,31 @@
 
 namespace signum::distributed {
 
+/// Stretches of site numbers, as even as can be: what begins with a site goes to who has it.
+class Stretches {
+ public:
+    Stretches(std::int64_t sites, std::size_t count) noexcept : sites_(sites), count_(count) {}
+    /// That of a site; of infinity the first.
+    [[nodiscard]] std::size_t of(std::int64_t site) const noexcept {
+        if (site < 0) return 0;
+        return static_cast<std::size_t>(static_cast<unsigned __int128>(site) * count_ /
+                                        static_cast<unsigned __int128>(sites_));
+    }
+    /// Where one begins, and the one before it ends.
+    [[nodiscard]] std::int64_t begin(std::size_t stretch) const noexcept {
+        return static_cast<std::int64_t>(
+            (static_cast<unsigned __int128>(sites_) * stretch + count_ - 1) / count_);
+    }
+    /// The same of faces, of which those at infinity come before all.
+    [[nodiscard]] std::int64_t begin_of_faces(std::size_t stretch) const noexcept {
+        return stretch == 0 ? -1 : begin(stretch);
+    }
+
+ private:
+    std::int64_t sites_;
+    std::size_t count_;
+};
+
 /// An edge as one of its faces has it.
 struct HalfOfEdge {
     std::int64_t lesser;  ///< its sites; infinity, -1, is the other one
