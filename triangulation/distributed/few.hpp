@@ -112,26 +112,26 @@ template <class M, WeightIs weight_is>
             std::max({extent.low[1] - p.y, p.y - extent.high[1], 0.0})};
 }
 
-/// A lower bound of the distance, in the metric, of a point from the sites in an extent: of each
-/// one's power, or of each one's distance less its radius. Off by less than `error`.
+/// The least distance, in the metric, of a point from the sites in an extent, where they may lie
+/// anywhere in it: of each one's power, or of each one's distance less its radius.
 struct Nearness {
-    double value;
-    double error;
-    [[nodiscard]] double low() const noexcept { return value - error; }
-    [[nodiscard]] double high() const noexcept { return value + error; }
+    double low;
+    double high;
 };
 /// A few roundings each of differences, their norm, and the difference of that and the third
-/// number; 2^-48 pays for the sums here too. Squares may underflow.
+/// number; 2^-48 pays for the sums here too. Squares may underflow: of the power metric here, of
+/// others within the interval.
 template <class M>
 [[nodiscard]] Nearness nearness(Point p, const Extent& extent) noexcept {
     const auto [x, y] = gaps(p, extent);
-    double norm;
+    filters::Interval norm(0.0);
     if constexpr (M::traits.edges_are_straight)
-        norm = x * x + y * y;
+        norm = filters::Interval(x * x + y * y);
     else
-        norm = PredicatesOf<M>::norm(filters::Interval(x), filters::Interval(y)).high;
+        norm = PredicatesOf<M>::norm(filters::Interval(x), filters::Interval(y));
     const double third = extent.high[2];
-    return {norm - third, 0x1p-48 * (norm + std::fabs(third)) + 0x1p-1000};
+    const double error = 0x1p-48 * (norm.high + std::fabs(third)) + 0x1p-1000;
+    return {(norm.low - third) - error, (norm.high - third) + error};
 }
 
 /// The circle of a face.
@@ -158,10 +158,10 @@ class Ball {
                 {{extent.low[0], extent.low[1]}, {extent.high[0], extent.high[1]}, extent.high[2]});
         } else {
             // Each number of the vertex is the nearest double; a face without a vertex has NaN.
-            const auto [value, error] = nearness<M>({vertex_.x, vertex_.y}, extent);
+            const double low = nearness<M>({vertex_.x, vertex_.y}, extent).low;
             const double slack =
                 std::fabs(vertex_.x) + std::fabs(vertex_.y) + std::fabs(vertex_.rho);
-            return (value - vertex_.rho) - (error + 0x1p-52 * slack);
+            return (low - vertex_.rho) - 0x1p-52 * slack;
         }
     }
     [[nodiscard]] bool may_be_reached_from(const Extent& extent) const noexcept {

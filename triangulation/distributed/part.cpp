@@ -15,6 +15,25 @@
 #include "../structure/topology.hpp"
 #include "few.hpp"
 
+namespace signum::triangulation {
+
+// construction/exact.cpp has these. A second text of them, compiled beside what inserts on, would be
+// the one that the linker takes for all, and 2 % slower.
+template <class M, WeightIs weight_is = WeightIs::radius>
+using KernelOf = typename distributed::KernelOf<M, weight_is>::type;
+extern template bool insert_all(Topology&, KernelOf<Power>&, std::span<Index>, std::span<Index>,
+                                const Watch&);
+extern template bool insert_all(Topology&, KernelOf<Power, WeightIs::weight>&, std::span<Index>,
+                                std::span<Index>, const Watch&);
+extern template bool insert_all(Topology&, KernelOf<Euclidean>&, std::span<Index>,
+                                std::span<Index>, const Watch&);
+extern template bool insert_all(Topology&, KernelOf<Manhattan>&, std::span<Index>,
+                                std::span<Index>, const Watch&);
+extern template bool insert_all(Topology&, KernelOf<Supremum>&, std::span<Index>,
+                                std::span<Index>, const Watch&);
+
+}  // namespace signum::triangulation
+
 namespace signum::distributed {
 namespace {
 
@@ -453,10 +472,10 @@ class PartOf final : public Part {
         std::vector<std::vector<std::size_t>> asked(parts.size());
         for (std::size_t k = 0; k < hidden.size(); ++k) {
             const Point p = {hidden[k].site.x, hidden[k].site.y};
-            const double high = nearness<M>(p, extent_of<M, weight_is>(by[k].site)).high();
+            const double high = nearness<M>(p, extent_of<M, weight_is>(by[k].site)).high;
             for (std::size_t q = 0; q < parts.size(); ++q) {
                 if (q == number || is_empty(parts[q].extent)) continue;
-                if (nearness<M>(p, parts[q].extent).low() > high) continue;
+                if (nearness<M>(p, parts[q].extent).low > high) continue;
                 questions[q].hidden.push_back({hidden[k], by[k]});
                 asked[q].push_back(k);
             }

@@ -134,9 +134,9 @@ class Answering {
 
     [[nodiscard]] Placed nearest_to(const Placed& hidden, Placed best) const {
         const Point p = {hidden.site.x, hidden.site.y};
-        double high = nearness<M>(p, extent_of<M, weight_is>(best.site)).high();
+        double high = nearness<M>(p, extent_of<M, weight_is>(best.site)).high;
         Nearest nearest(tree_, sites_, [&](const Extent& extent) -> std::optional<double> {
-            const double low = nearness<M>(p, extent).low();
+            const double low = nearness<M>(p, extent).low;
             if (low > high) return std::nullopt;
             return low;
         });
@@ -145,7 +145,7 @@ class Answering {
             Few<M, weight_is, 3> few({&hidden, &site, &best});
             if (few.kernel().is_nearer(0, 1, 2)) {
                 best = site;
-                high = nearness<M>(p, extent_of<M, weight_is>(best.site)).high();
+                high = nearness<M>(p, extent_of<M, weight_is>(best.site)).high;
             }
             return true;
         });

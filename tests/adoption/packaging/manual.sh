@@ -26,7 +26,7 @@ complete_() {
 . "$SOURCES/packaging/completions/signum.bash"
 expect() { [ "$1" = "$2" ] || { echo "completes '$1' instead of '$2'"; exit 1; }; }
 expect "$(complete_ signum tri)" triangulate
-expect "$(complete_ signum triangulate sites.txt --me)" "--metric --method"
+expect "$(complete_ signum triangulate sites.txt --me)" "--metric --method --memory"
 expect "$(complete_ signum triangulate --metric s)" supremum
 expect "$(complete_ signum sign in_)" "in_circle in_sphere"
 expect "$(complete_ signum simulate --wall)" --wall-restitution
