@@ -15,25 +15,6 @@
 #include "../structure/topology.hpp"
 #include "few.hpp"
 
-namespace signum::triangulation {
-
-// construction/exact.cpp has these. A second text of them, compiled beside what inserts on, would be
-// the one that the linker takes for all, and 2 % slower.
-template <class M, WeightIs weight_is = WeightIs::radius>
-using KernelOf = typename distributed::KernelOf<M, weight_is>::type;
-extern template bool insert_all(Topology&, KernelOf<Power>&, std::span<Index>, std::span<Index>,
-                                const Watch&);
-extern template bool insert_all(Topology&, KernelOf<Power, WeightIs::weight>&, std::span<Index>,
-                                std::span<Index>, const Watch&);
-extern template bool insert_all(Topology&, KernelOf<Euclidean>&, std::span<Index>,
-                                std::span<Index>, const Watch&);
-extern template bool insert_all(Topology&, KernelOf<Manhattan>&, std::span<Index>,
-                                std::span<Index>, const Watch&);
-extern template bool insert_all(Topology&, KernelOf<Supremum>&, std::span<Index>,
-                                std::span<Index>, const Watch&);
-
-}  // namespace signum::triangulation
-
 namespace signum::distributed {
 namespace {
 
