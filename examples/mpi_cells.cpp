@@ -25,9 +25,9 @@ int main(int count, char** words) {
     std::uniform_real_distribution<double> number(0.0, 1.0);
     std::vector<signum::distributed::Placed> sites;
     for (long i = 0; i < own; ++i)
-        sites.push_back({{rank + number(random), number(random), 0.0}, rank * own + i});
+        sites.push_back({signum::Site{rank + number(random), number(random), 0.0}, rank * own + i});
 
-    const auto built = signum::mpi::triangulate(sites, MPI_COMM_WORLD, signum::Metric::power);
+    const auto built = signum::mpi::triangulate(sites, MPI_COMM_WORLD, {signum::Metric::power});
 
     // Each site is somebody's, with all its neighbours in the whole.
     long long own_neighbours = 0;

@@ -1,6 +1,6 @@
 #pragma once
-/// Tessellations of the plane whose sites lie on many ranks: each rank gets those faces that begin
-/// in its own sites, and no rank holds all of anything. The result is that of triangulate(), and
+/// Tessellations whose sites lie on many ranks: each rank gets those faces, in space cells, that
+/// begin in its own sites, and no rank holds all of anything. The result is that of triangulate(), and
 /// the same for every number of ranks.
 
 #include <mpi.h>
@@ -33,8 +33,9 @@ struct RankTessellation {
     std::int64_t whole = 0;                           ///< sites of all ranks
     std::vector<distributed::Placed> sites;           ///< those that this rank owns now
     std::vector<Star> stars;                          ///< of each of them that is visible
-    std::vector<std::int64_t> neighbours;             ///< counterclockwise; -1 for infinity
-    std::vector<distributed::WholeFace> faces;        ///< whose least site is one of them
+    std::vector<std::int64_t> neighbours;  ///< -1 for infinity; in the plane counterclockwise
+    /// Those whose least site is one of them, by three numbers each; in space cells, by four.
+    std::vector<std::int64_t> faces;
     std::vector<distributed::Adjacency> adjacencies;  ///< of some edges: Part
     std::vector<distributed::WholeHidden> hidden;     ///< of the sites, those that are
     Cost cost;
@@ -43,27 +44,31 @@ struct RankTessellation {
 /// Of the sites of all ranks, wherever they lie, each with a number of its own, 0 or more, by which
 /// ties are decided and faces told. Sites go to ranks by place. Collective.
 ///
-/// Throws on all ranks where it does on one: std::invalid_argument for numbers that are not finite
-/// and weights in a metric without them, distributed::NoStructure where no site is visible but one
-/// or, in the power metric, all lie on one line, std::bad_alloc. Expected time: that of
+/// Throws on all ranks where it does on one: std::invalid_argument for numbers that are not finite,
+/// weights in a metric without them and another metric of space than that of power,
+/// distributed::NoStructure where no site is visible but one or, in the power metric, all lie on one
+/// line, of space in one plane, std::bad_alloc. Expected time: that of
 /// triangulate() for a rank's share, and some for the sites near its border. Where most cells reach
 /// far (all sites on one circle, a giant that all others touch) ranks are told of each other's
 /// sites until they know most of them.
 [[nodiscard]] RankTessellation triangulate(std::vector<distributed::Placed> sites, MPI_Comm comm,
-                                           Metric metric, WeightIs weight_is = WeightIs::radius);
+                                           const distributed::Kind& kind);
 
-/// The whole as its arrays say it (arrays.hpp), by stretches: rank after rank has the faces from
-/// `first_face` on, the neighbours of each, and hidden sites in order. Collective.
+/// The whole as its arrays say it (arrays.hpp; space/triangulate.hpp), by stretches: rank after rank
+/// has the faces from `first_face` on, the neighbours of each, and hidden sites in order.
 struct Stretch {
+    std::size_t corners = 3;  ///< of a face; of a cell 4
     std::int64_t faces_of_all = 0;
     std::int64_t first_face = 0;
-    std::vector<distributed::WholeFace> faces;
-    std::vector<std::array<std::int64_t, 3>> neighbours;
+    std::vector<std::int64_t> faces;       ///< so many numbers each
+    std::vector<std::int64_t> neighbours;  ///< of each as many
     std::int64_t hidden_of_all = 0;
     std::int64_t first_hidden = 0;
     std::vector<distributed::WholeHidden> hidden;
 };
-/// Takes faces, adjacencies and hidden sites. Precondition: sites are numbered 0 … whole - 1.
-[[nodiscard]] Stretch in_order(RankTessellation& tessellation, MPI_Comm comm);
+/// Takes faces, adjacencies and hidden sites. Collective. Precondition: sites are numbered 0 …
+/// whole - 1.
+[[nodiscard]] Stretch in_order(RankTessellation& tessellation, MPI_Comm comm,
+                               const distributed::Kind& kind);
 
 }  // namespace signum::mpi

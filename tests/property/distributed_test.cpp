@@ -37,13 +37,13 @@ void expect_the_same(const StridedSites& sites, Metric metric, std::span<const s
     for (const std::size_t count : parts) {
         if (!has_structure(whole)) {
             EXPECT_THROW(static_cast<void>(
-                             distributed::settle_in_parts(placed, metric, whole.weight_is, count)),
+                             distributed::settle_in_parts(placed, {metric, whole.weight_is}, count)),
                          distributed::NoStructure)
                 << what;
             continue;
         }
         distributed::WholeParts found =
-            distributed::settle_in_parts(placed, metric, whole.weight_is, count);
+            distributed::settle_in_parts(placed, {metric, whole.weight_is}, count);
         const auto renumber = [&](std::int64_t& id) { id -= id < 0 ? 0 : first_id; };
         for (auto& face : found.faces) std::ranges::for_each(face, renumber);
         for (auto& [face, corner, neighbour] : found.adjacencies) {
@@ -156,7 +156,7 @@ TEST_P(Distributed, TellsLittle) {
     std::vector<distributed::Placed> placed;
     for (std::size_t i = 0; i < sites.size(); ++i)
         placed.push_back({sites[i], static_cast<std::int64_t>(i)});
-    const auto told = distributed::settle_in_parts(placed, GetParam(), WeightIs::radius, 4).told;
+    const auto told = distributed::settle_in_parts(placed, {GetParam()}, 4).told;
     EXPECT_LT(told.sites, 6000U);
     EXPECT_LT(told.rounds, 12U);
     EXPECT_LT(told.faces + told.edges, 4000U);

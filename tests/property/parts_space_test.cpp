@@ -14,15 +14,54 @@
 #include "../../triangulation/space/triangulate.hpp"
 #include "../thoroughness.hpp"
 #include "../unit/exact_reference.hpp"
+#include "in_parts.hpp"
 
 namespace signum {
 namespace {
 
 using reference::Random;
 
+/// Parts that share no memory, which tell one another what they must know.
+template <class S>
+void expect_the_same_of_parts_apart(const std::vector<S>& sites, const SpaceTessellation& whole,
+                                    std::int64_t first_id, const std::string& what) {
+    std::vector<distributed::Placed> placed;
+    for (const S& site : sites) {
+        Site3 given = {site.x, site.y, site.z};
+        if constexpr (requires { site.r; }) given.r = site.r;
+        if constexpr (requires { site.w; }) given.r = site.w;
+        placed.push_back({given, first_id + static_cast<std::int64_t>(placed.size())});
+    }
+    const bool are_weights = std::same_as<S, power::Site3>;
+    const distributed::Kind kind = {
+        Metric::power, are_weights ? WeightIs::weight : WeightIs::radius, 3};
+    // Of few sites more parts than sites, too.
+    constexpr std::size_t few = 60;
+    for (const std::size_t parts : {std::size_t{3}, sites.size() <= few ? few : 7}) {
+        if (whole.dimension < 3) {
+            EXPECT_THROW(static_cast<void>(distributed::settle_in_parts(placed, kind, parts)),
+                         distributed::NoStructure)
+                << what;
+            continue;
+        }
+        distributed::WholeParts found = distributed::settle_in_parts(placed, kind, parts);
+        for (auto& cell : found.cells)
+            for (std::int64_t& id : cell) id -= id < 0 ? 0 : first_id;
+        for (auto& [site, by] : found.hidden) {
+            site -= first_id;
+            by -= first_id;
+        }
+        ASSERT_EQ(distributed::space_of(found, whole.sites), whole)
+            << what << ", " << parts << " parts apart";
+    }
+}
+
 template <class S>
 void expect_the_same_of(const std::vector<S>& sites, int levels, const std::string& what) {
     const SpaceTessellation whole = triangulate(std::span<const S>(sites), Power{}, {.threads = 1});
+    const std::int64_t first_id = sites.size() % 2 == 0 ? 0 : std::int64_t{1} << 40;
+    expect_the_same_of_parts_apart(sites, whole, first_id, what);
+    if (testing::Test::HasFatalFailure()) return;
     for (int level = 1; level <= levels; ++level)
         for (const std::uint64_t seed : {1, 7})
             ASSERT_EQ(spatial::construct_in_parts(std::span<const S>(sites), {.seed = seed}, level),

@@ -26,7 +26,6 @@ namespace signum::cli {
 namespace {
 
 using distributed::Placed;
-using distributed::WholeFace;
 
 /// Bytes, as 512M, 4G or 1T say; nothing where it is no such number, or less than a megabyte.
 std::optional<std::uint64_t> bytes_of(std::string_view text) {
@@ -45,8 +44,9 @@ std::optional<std::uint64_t> bytes_of(std::string_view text) {
 /// Sites of a file, some megabytes at a time.
 class Slices {
  public:
-    Slices(const SitesCall& call, SitesInput input, std::uint64_t bytes)
+    Slices(const SitesCall& call, int dimension, SitesInput input, std::uint64_t bytes)
         : call_(call),
+          dimension_(dimension),
           input_(input),
           slices_(static_cast<std::size_t>(bytes / (std::uint64_t{1} << 24) + 1)) {}
 
@@ -58,24 +58,28 @@ class Slices {
     std::vector<Placed> read(std::size_t slice) {
         if (slice == 0) id_ = lines_ = 0;
         std::vector<Placed> placed;
-        const auto put = [&](std::span<const Site> sites) {
+        const auto put = [&](const auto& sites) {
             placed.reserve(sites.size());
-            for (const Site& site : sites) placed.push_back({site, id_++});
+            for (const auto& site : sites) placed.push_back({site, id_++});
         };
         if (input_ == SitesInput::text) {
-            const TextSlice text = read_text_slice(call_.input, slice, slices_);
-            if (text.wrong) throw wrong_line(call_.input, lines_, text);
+            const TextSlice text = read_text_slice(call_.input, dimension_, slice, slices_);
+            if (text.wrong) throw wrong_line(call_.input, dimension_, lines_, text);
             lines_ += text.lines;
             put(text.sites);
         } else {
-            put(read_sites(call_.input,
-                           {.dimension = 2, .input = input_, .share = {slice, slices_}})
-                    .sites);
+            const SitesFile file =
+                read_sites(call_.input, {.dimension = dimension_,
+                                         .input = input_,
+                                         .share = {slice, slices_}});
+            put(file.sites);
+            put(file.in_space);
         }
         return placed;
     }
 
     const SitesCall& call_;
+    int dimension_;
     SitesInput input_;
     std::size_t slices_;
     std::int64_t id_ = 0;
@@ -89,8 +93,8 @@ void add_memory(CLI::App& command, std::string& memory) {
         .add_option("--memory", memory,
                     "How much memory to take, as in 512M or 4G: what\n"
                     "does not fit lies on the disk beside -o meanwhile.\n"
-                    "Of the plane, from lines x y [r], .npy or .f64 to\n"
-                    "one .npy or .i32 of faces")
+                    "From lines x y [r], of space x y z [r], .npy or\n"
+                    ".f64, to one .npy or .i32 of faces or cells")
         ->type_name("SIZE")
         ->check(CLI::Validator(
             [](const std::string& text) {
@@ -108,19 +112,21 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
     const Target& target = targets.front();
     if (targets.size() != 1 || (target.format != "npy" && target.format != "i32"))
         throw CallError(
-            "--memory writes the faces as they come, into one file: -o FILE.npy or "
+            "--memory writes faces, or cells, as they come, into one file: -o FILE.npy or "
             "FILE.i32");
     const SitesInput input = input_of(call.input, call.read_as);
     if (input != SitesInput::text && !is_array(input))
         throw CallError(
-            fmt::format("--memory reads slices of lines x y [r], .npy and .f64, and {} "
-                        "is none of these",
+            fmt::format("--memory reads slices of lines x y [r], of space x y z [r], .npy and "
+                        ".f64, and {} is none of these",
                         call.input));
     if (!call.columns.empty())
-        throw CallError("--memory reads the first columns, x, y and r; leave --columns out");
-    if (call.dimension.value_or(2) != 2)
-        throw CallError("--memory is for sites of the plane; leave --dimension out");
+        throw CallError("--memory reads the first columns, x, y (z) and r; leave --columns out");
+    const int dimension = call.dimension.value_or(2);
     const Metric metric = metric_of(call.metric);
+    if (dimension == 3 && metric != Metric::power)
+        refuse_option(call, fmt::format("--metric {}", call.metric), "sites in space",
+                      "have tessellations of the power metric alone");
     const bool are_weights = call.weight_is == "weight";
     if (are_weights && !traits_of(metric).has_weights) throw CallError(no_weights(metric));
     const std::optional<std::uint64_t> bytes_of_file =
@@ -129,12 +135,15 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
         throw InputError(call.input, "this is no regular file, which --memory reads twice");
     const std::uint64_t size = *bytes_of_file;
 
-    // Of two floats a site, at the least; of text too a site takes no less.
-    const auto most_sites = static_cast<double>(size) / (input == SitesInput::text ? 4.0 : 8.0);
+    const distributed::Kind kind = {metric, are_weights ? WeightIs::weight : WeightIs::radius,
+                                    static_cast<std::size_t>(dimension)};
+    // Of a float a coordinate, at the least, or of a digit and what parts it from the next.
+    const auto most_sites =
+        static_cast<double>(size) / ((input == SitesInput::text ? 2.0 : 4.0) * dimension);
     const Workers workers(call.threads, static_cast<std::size_t>(most_sites));
     // A quarter is for what all parts know, and for reading and sorting.
     const double fit = 0.75 * static_cast<double>(bytes) /
-                       static_cast<double>(distributed::bytes_a_site) / workers.count();
+                       static_cast<double>(distributed::bytes_a_site(kind)) / workers.count();
     const double parts = std::max(std::ceil(most_sites / fit), 1.0);
     if (parts > static_cast<double>(distributed::most_parts))
         throw CallError(
@@ -145,11 +154,11 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
     const auto start = std::chrono::steady_clock::now();
     const Outputs outputs(targets);
     distributed::WholeCounts counts;
-    Slices slices(call, input, size);
+    Slices slices(call, dimension, input, size);
     const auto write = [&](std::ostream& out) {
         with_progress(call.quiet, [&](const std::function<void(double)>& show) {
             distributed::triangulate_on_disk(
-                slices.view(), metric, are_weights ? WeightIs::weight : WeightIs::radius,
+                slices.view(), kind,
                 {.parts = static_cast<std::size_t>(parts),
                  .threads = call.threads,
                  .folder = std::filesystem::absolute(target.path).parent_path().string(),
@@ -158,10 +167,11 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
                     counts = known;
                     if (target.format == "npy")
                         put_npy_head(out, SiteNumbers(counts.sites).type(),
-                                     static_cast<std::size_t>(counts.faces), 3);
+                                     static_cast<std::size_t>(counts.faces), kind.dimension + 1);
                 },
-                [&](std::span<const WholeFace> faces) {
-                    put_bytes(out, std::span<const char>(SiteNumbers(counts.sites).bytes(faces)));
+                [&](std::span<const std::int64_t> numbers) {
+                    put_bytes(out,
+                              std::span<const char>(SiteNumbers(counts.sites).bytes(numbers)));
                 });
             return 0;
         });
@@ -174,10 +184,11 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
         throw MachineError(fmt::format("beside {}: {}", target.path, error.what()));
     }
     if (call.quiet) return;
-    say("sites    {}{}\n", counts.sites, are_weights ? ", the third number a weight" : "");
+    say("sites    {}{}\n", counts.sites, are_weights ? ", the last number a weight" : "");
     say("visible  {}\n", counts.sites - counts.hidden);
     say("hidden   {}\n", counts.hidden);
-    say("faces    {}, {} of them infinite\n", counts.faces, counts.infinite_faces);
+    say("{}    {}, {} of them infinite\n", dimension == 3 ? "cells" : "faces", counts.faces,
+        counts.infinite_faces);
     say("parts    {}\n", parts);
     say("seconds  {:.3g}\n", study::seconds_since(start));
     say("{}", written(targets));

@@ -40,27 +40,26 @@ void put_bytes(std::ostream& out, std::span<const Number> numbers) {
               static_cast<std::streamsize>(bytes.size()));
 }
 
-/// The numbers of sites that stand in faces: of 32 bits, or of 64 where there are more sites.
+/// The numbers of sites that stand in faces and cells: of 32 bits, or of 64 where there are more
+/// sites.
 class SiteNumbers {
  public:
     explicit SiteNumbers(std::int64_t sites) noexcept
         : are_long_(sites > std::numeric_limits<std::int32_t>::max()) {}
     /// As put_npy_head() takes it.
     [[nodiscard]] std::string_view type() const noexcept { return are_long_ ? "i8" : "i4"; }
-    /// How many bytes a face takes.
-    [[nodiscard]] std::size_t bytes_a_face() const noexcept { return are_long_ ? 24 : 12; }
-    /// Faces as they lie in a file.
-    [[nodiscard]] std::vector<char> bytes(
-        std::span<const std::array<std::int64_t, 3>> faces) const {
-        std::vector<char> result(bytes_a_face() * faces.size());
+    /// How many bytes a number takes.
+    [[nodiscard]] std::size_t size() const noexcept { return are_long_ ? 8 : 4; }
+    /// Numbers as they lie in a file.
+    [[nodiscard]] std::vector<char> bytes(std::span<const std::int64_t> numbers) const {
+        std::vector<char> result(size() * numbers.size());
         char* to = result.data();
         const auto put = [&to]<class Number>(Number number) {
             std::memcpy(to, &number, sizeof number);
             to += sizeof number;
         };
-        for (const auto& face : faces)
-            for (const std::int64_t site : face)
-                are_long_ ? put(site) : put(static_cast<std::int32_t>(site));
+        for (const std::int64_t site : numbers)
+            are_long_ ? put(site) : put(static_cast<std::int32_t>(site));
         return result;
     }
 

@@ -72,31 +72,39 @@ class Lines {
 };
 
 /// A header that says no more than what would be taken anyhow.
-bool is_header(std::string_view line) {
+bool is_header(std::string_view line, int dimension) {
     std::string names;
     for (const char c : line)
         if (c != ' ' && c != '\t' && c != '"')
             names +=
                 c == ';' ? ',' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return names == "x,y" || names == "x,y,r" || names == "x,y,radius";
+    const std::string_view axes = dimension == 3 ? "x,y,z" : "x,y";
+    if (!names.starts_with(axes)) return false;
+    names.erase(0, axes.size());
+    return names.empty() || names == ",r" || names == ",radius";
 }
 
 }  // namespace
 
-TextSlice read_text_slice(const std::string& name, std::uint64_t number, std::uint64_t of) {
-    constexpr PlainLayout layout = {.places = {0, 1, 2, std::numeric_limits<std::size_t>::max()},
-                                    .coordinates = 2,
-                                    .most = 3,
-                                    .separator = '\0',
-                                    .has_radius = false,
-                                    .may_be_negative = true,
-                                    .may_be_beyond_single = true};
+TextSlice read_text_slice(const std::string& name, int dimension, std::uint64_t number,
+                          std::uint64_t of) {
+    const bool is_space = dimension == 3;
+    const auto coordinates = static_cast<std::size_t>(dimension);
+    const PlainLayout layout = {
+        .places = {0, 1, 2, is_space ? 3 : std::numeric_limits<std::size_t>::max()},
+        .coordinates = coordinates,
+        .most = coordinates + 1,
+        .separator = '\0',
+        .has_radius = false,
+        .may_be_negative = true,
+        .may_be_beyond_single = true};
     TextSlice slice;
     std::string text;
     const auto read = [&] {
         const PlainLines plain = read_plain_lines(text, layout);
-        for (const auto& [x, y, third, none] : plain.sites) slice.sites.push_back({x, y, third});
-        slice.has_thirds = slice.has_thirds || plain.has_radii;
+        for (const auto& [x, y, third, fourth] : plain.sites)
+            slice.sites.push_back(is_space ? Site3{x, y, third, fourth} : Site3{x, y, 0.0, third});
+        slice.has_radii = slice.has_radii || plain.has_radii;
         if (plain.bytes < text.size() && !slice.wrong) slice.wrong = slice.lines + plain.lines;
         slice.lines += std::ranges::count(text, '\n');
         text.clear();
@@ -106,7 +114,7 @@ TextSlice read_text_slice(const std::string& name, std::uint64_t number, std::ui
     lines.each_line([&](std::string_view line) {
         const bool says_nothing =
             line.find_first_not_of(" \t") == std::string_view::npos || line.starts_with('#');
-        const bool is_title = !says_nothing && is_first && is_header(line);
+        const bool is_title = !says_nothing && is_first && is_header(line, dimension);
         is_first = is_first && says_nothing;
         if (says_nothing || is_title) {
             read();
@@ -121,9 +129,14 @@ TextSlice read_text_slice(const std::string& name, std::uint64_t number, std::ui
     return slice;
 }
 
-InputError wrong_line(const std::string& name, std::int64_t lines_before, const TextSlice& slice) {
-    return {name,
-            {lines_before + slice.wrong.value_or(0) + 1, 1},
+InputError wrong_line(const std::string& name, int dimension, std::int64_t lines_before,
+                      const TextSlice& slice) {
+    const Position position = {lines_before + slice.wrong.value_or(0) + 1, 1};
+    if (dimension == 3)
+        return {name, position,
+                "in slices, lines of three or four numbers are read, x, y, z and perhaps r, under "
+                "a header of these names or none"};
+    return {name, position,
             "in slices, lines of two or three numbers are read, x y and perhaps r, under a header "
             "of these names or none"};
 }

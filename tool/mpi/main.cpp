@@ -23,19 +23,28 @@ namespace {
 
 struct Call {
     std::string sites;
-    std::string metric = "euclidean";
+    std::string metric;  ///< power, where nothing is said, in space; Euclid's in the plane
+    int dimension = 2;
     std::string radii;
     std::string weights;
-    bool thirds_are_weights = false;
+    bool last_is_weight = false;
     bool is_quiet = false;
     std::vector<std::string> outputs;
 };
 
 /// The metric, by any of its names.
-Metric metric_of(const std::string& name) {
-    if (const auto metric = metric_named(name)) return *metric;
-    throw CLI::ValidationError(
-        "--metric", fmt::format("'{}' is none of power, euclidean, manhattan, supremum", name));
+Metric metric_of(const Call& call) {
+    const bool is_space = call.dimension == 3;
+    if (call.metric.empty()) return is_space ? Metric::power : Metric::euclidean;
+    const auto metric = metric_named(call.metric);
+    if (!metric)
+        throw CLI::ValidationError(
+            "--metric",
+            fmt::format("'{}' is none of power, euclidean, manhattan, supremum", call.metric));
+    if (is_space && *metric != Metric::power)
+        throw CLI::ValidationError("--metric", "in space there are tessellations of the power "
+                                               "metric alone");
+    return *metric;
 }
 
 /// One line: what was built, and what the ranks told one another.
@@ -51,10 +60,11 @@ void summarize(Communicator& ranks, const Stretch& stretch, const RankTessellati
         ranks.most(static_cast<std::int64_t>(1e6 * built.cost.processor_seconds));
     if (ranks.rank() != 0 || call.is_quiet) return;
     fmt::print(stderr,
-               "{} sites, {} hidden, {} faces, {} metric; {} rank{}, {:.3g} s\n"
+               "{} sites, {} hidden, {} {}, {} metric; {} rank{}, {:.3g} s\n"
                "sites a rank: {} at most; told of others: {} in {} rounds; sent: {:.1f} MB; "
                "processor: {:.3g} s, busiest rank {:.3g} s\n",
-               built.whole, stretch.hidden_of_all, stretch.faces_of_all, call.metric, ranks.size(),
+               built.whole, stretch.hidden_of_all, stretch.faces_of_all,
+               call.dimension == 3 ? "cells" : "faces", name_of(metric_of(call)), ranks.size(),
                ranks.size() == 1 ? "" : "s", seconds, most_owned, told, built.cost.rounds,
                static_cast<double>(sent) / 1e6, static_cast<double>(all) / 1e6,
                static_cast<double>(busiest) / 1e6);
@@ -62,25 +72,27 @@ void summarize(Communicator& ranks, const Stretch& stretch, const RankTessellati
 
 void triangulate(Communicator& ranks, const Call& call) {
     const double start = MPI_Wtime();
-    const Metric metric = metric_of(call.metric);
-    const std::string& thirds = call.weights.empty() ? call.radii : call.weights;
+    const std::string& radii = call.weights.empty() ? call.radii : call.weights;
     Slices slices;
-    ranks.together([&] { slices = read_slices(ranks, call.sites, thirds); });
-    const bool has_thirds = ranks.most(slices.has_thirds ? 1 : 0) != 0;
-    const bool are_weights = call.thirds_are_weights || !call.weights.empty();
-    if (ranks.rank() == 0 && !call.is_quiet && has_thirds && thirds.empty())
-        fmt::print(stderr, "{}: the third column is taken for {}\n", call.sites,
+    ranks.together([&] { slices = read_slices(ranks, call.sites, call.dimension, radii); });
+    const bool has_radii = ranks.most(slices.has_radii ? 1 : 0) != 0;
+    const bool are_weights = call.last_is_weight || !call.weights.empty();
+    if (ranks.rank() == 0 && !call.is_quiet && has_radii && radii.empty())
+        fmt::print(stderr, "{}: the last column is taken for {}\n", call.sites,
                    are_weights ? "weights" : "radii");
-    const WeightIs weight_is = are_weights ? WeightIs::weight : WeightIs::radius;
+    const distributed::Kind kind = {metric_of(call),
+                                    are_weights ? WeightIs::weight : WeightIs::radius,
+                                    static_cast<std::size_t>(call.dimension)};
     RankTessellation built;
     Stretch stretch;
     ranks.together([&] {
-        built = mpi::triangulate(slices.sites, ranks.get(), metric, weight_is);
-        stretch = in_order(built, ranks.get());
+        built = mpi::triangulate(slices.sites, ranks.get(), kind);
+        stretch = in_order(built, ranks.get(), kind);
     });
     for (const std::string& output : call.outputs)
         ranks.together([&] {
-            write(ranks, output, {slices.sites, built.whole, stretch, metric, weight_is});
+            write(ranks, output,
+                  {slices.sites, built.whole, stretch, kind.metric, kind.weight_is});
         });
     summarize(ranks, stretch, built, MPI_Wtime() - start, call);
 }
@@ -100,21 +112,26 @@ End end_of_parsing(const CLI::App& tool, const CLI::ParseError& error, bool spea
 
 End run(Communicator& ranks, int count, char** words) {
     CLI::App tool(
-        "Tessellations of the plane from sites that many ranks hold together: the result of\n"
+        "Tessellations of the plane and of space from sites that many ranks hold together: the result of\n"
         "signum triangulate, and the same bytes for every number of ranks.\n"
         "    mpirun -n 8 signum-mpi triangulate sites.h5:/points --radii /radii -o faces.h5");
     tool.require_subcommand(1);
     tool.set_version_flag("--version", SIGNUM_VERSION);
     Call call;
     CLI::App* const command = tool.add_subcommand(
-        "triangulate", "Faces of all sites, from text (x y, x y r), .npy, .f64 or FILE.h5:/path");
+        "triangulate",
+        "Faces of all sites, in space cells, from text (x y [r], x y z [r]), .npy, .f64 or\n"
+        "FILE.h5:/path");
     command->add_option("SITES", call.sites, "FILE, or FILE.h5:/path/to/coordinates")->required();
-    command->add_option("-m,--metric", call.metric, "power, euclidean, manhattan or supremum")
-        ->capture_default_str();
+    command->add_option("-m,--metric", call.metric,
+                        "power, euclidean (without a word), manhattan or supremum; in space power");
+    command->add_option("--dimension", call.dimension, "2, or 3 of sites in space: x y z [r]")
+        ->capture_default_str()
+        ->check(CLI::IsMember({2, 3}));
     command->add_option("--radii", call.radii, "Where in FILE.h5 the radii are");
     command->add_option("--weights", call.weights, "The same of weights, in the power metric");
-    command->add_flag("--third-is-weight", call.thirds_are_weights,
-                      "The third column is a weight, not a radius");
+    command->add_flag("--third-is-weight,--last-is-weight", call.last_is_weight,
+                      "The last column is a weight, not a radius");
     command
         ->add_option("-o,--output", call.outputs,
                      "FILE.h5 or .vtkhdf, .npy, .i32, .json; more than once if you like")
@@ -123,7 +140,7 @@ End run(Communicator& ranks, int count, char** words) {
     try {
         ranks.together([&] {
             tool.parse(count, words);
-            static_cast<void>(metric_of(call.metric));
+            static_cast<void>(metric_of(call));
             for (const std::string& name : call.outputs)
                 if (!can_write(name))
                     throw CLI::ValidationError(

@@ -23,7 +23,6 @@ namespace signum::mpi {
 namespace {
 
 using distributed::Placed;
-using distributed::WholeFace;
 using distributed::WholeHidden;
 
 /// The file beside its place.
@@ -77,19 +76,20 @@ class SharedFile {
     int descriptor_ = -1;
 };
 
-/// Faces as numbers of 32 bits, of 64 where there are so many sites.
+/// Faces or cells as numbers of 32 bits, of 64 where there are so many sites.
 void write_faces(Communicator& ranks, const std::string& name, const Whole& whole, bool has_head) {
     SharedFile file(ranks, name);
     const SiteNumbers numbers(whole.sites);
     std::ostringstream head;
     if (has_head)
-        put_npy_head(head, numbers.type(), static_cast<std::size_t>(whole.stretch.faces_of_all), 3);
+        put_npy_head(head, numbers.type(), static_cast<std::size_t>(whole.stretch.faces_of_all),
+                     whole.stretch.corners);
     const std::string start = head.str();
     ranks.together([&] {
         if (ranks.rank() == 0) file.write(0, start.data(), start.size());
         const std::vector<char> bytes = numbers.bytes(whole.stretch.faces);
         file.write(start.size() + static_cast<std::uint64_t>(whole.stretch.first_face) *
-                                      numbers.bytes_a_face(),
+                                      whole.stretch.corners * numbers.size(),
                    bytes.data(), bytes.size());
         file.finish();
     });
@@ -168,14 +168,17 @@ class Group {
     Handle group_;
 };
 
-/// Faces, neighbours and hidden sites as signum has them, and the finite faces as triangles between
-/// the centres as VTK's readers take them.
+/// Faces, neighbours and hidden sites as signum has them, and the finite faces as triangles, cells as
+/// tetrahedra, between the centres as VTK's readers take them.
 void write_hdf5(Communicator& ranks, const std::string& name, const Whole& whole) {
     const Stretch& stretch = whole.stretch;
+    const std::size_t size = stretch.corners;
     std::vector<std::int64_t> corners;
-    for (const WholeFace& face : stretch.faces)
-        if (face[0] >= 0) corners.insert(corners.end(), face.begin(), face.end());
-    const auto finite = static_cast<std::int64_t>(corners.size() / 3);
+    for (std::size_t c = 0; c < stretch.faces.size(); c += size) {
+        const auto cell = stretch.faces.begin() + static_cast<std::ptrdiff_t>(c);
+        if (*cell >= 0) corners.insert(corners.end(), cell, cell + static_cast<std::ptrdiff_t>(size));
+    }
+    const auto finite = static_cast<std::int64_t>(corners.size() / size);
     const std::int64_t first = ranks.sum_before(finite);
     const auto all = static_cast<std::uint64_t>(ranks.sum(finite));
     const auto first_site =
@@ -199,37 +202,34 @@ void write_hdf5(Communicator& ranks, const std::string& name, const Whole& whole
         };
         put_number("NumberOfPoints", sites);
         put_number("NumberOfCells", all);
-        put_number("NumberOfConnectivityIds", 3 * all);
+        put_number("NumberOfConnectivityIds", size * all);
         std::vector<double> places;
         std::vector<double> thirds;
         for (const auto& [site, id] : whole.slice) {
-            places.insert(places.end(), {site.x, site.y, 0.0});
+            places.insert(places.end(), {site.x, site.y, site.z});
             thirds.push_back(site.r);
         }
         vtk.put<double>("Points", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, places, first_site, sites, 3);
-        vtk.put_longs("Connectivity", corners, 3 * ours(first), 3 * all, 1);
+        vtk.put_longs("Connectivity", corners, size * ours(first), size * all, 1);
         std::vector<std::int64_t> offsets;
         for (std::int64_t k = is_first ? 0 : 1; k <= finite; ++k)
-            offsets.push_back(3 * (first + k));
+            offsets.push_back(static_cast<std::int64_t>(size) * (first + k));
         vtk.put_longs("Offsets", offsets, is_first ? 0 : ours(first) + 1, all + 1, 1);
-        const std::vector<std::uint8_t> triangles(static_cast<std::size_t>(finite), 5);
-        vtk.put<std::uint8_t>("Types", H5T_STD_U8LE, H5T_NATIVE_UINT8, triangles, ours(first), all,
-                              1);
+        constexpr std::uint8_t triangle = 5;
+        constexpr std::uint8_t tetrahedron = 10;
+        const std::vector<std::uint8_t> types(static_cast<std::size_t>(finite),
+                                              size == 4 ? tetrahedron : triangle);
+        vtk.put<std::uint8_t>("Types", H5T_STD_U8LE, H5T_NATIVE_UINT8, types, ours(first), all, 1);
         const Group point_data(name, file, "/VTKHDF/PointData");
         point_data.put<double>(whole.weight_is == WeightIs::weight ? "weight" : "radius",
                                H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, thirds, first_site, sites, 1);
 
         const Group own(name, file, "/signum");
         own.put_text("metric", std::string(name_of(whole.metric)));
-        const auto rows = [](const auto& items) {
-            std::vector<std::int64_t> numbers;
-            for (const auto& row : items) numbers.insert(numbers.end(), row.begin(), row.end());
-            return numbers;
-        };
-        own.put_longs("faces", rows(stretch.faces), ours(stretch.first_face),
-                      ours(stretch.faces_of_all), 3);
-        own.put_longs("neighbours", rows(stretch.neighbours), ours(stretch.first_face),
-                      ours(stretch.faces_of_all), 3);
+        own.put_longs(size == 4 ? "cells" : "faces", stretch.faces, ours(stretch.first_face),
+                      ours(stretch.faces_of_all), size);
+        own.put_longs("neighbours", stretch.neighbours, ours(stretch.first_face),
+                      ours(stretch.faces_of_all), size);
         std::vector<std::int64_t> hidden;
         for (const auto& [site, by] : stretch.hidden) hidden.insert(hidden.end(), {site, by});
         own.put_longs("hidden", hidden, ours(stretch.first_hidden), ours(stretch.hidden_of_all), 2);
@@ -260,22 +260,36 @@ void write_json(Communicator& ranks, const std::string& name, const Whole& whole
     SharedFile file(ranks, name);
     ranks.together([&] {
         if (ranks.rank() != 0) return;
-        TessellationArrays arrays;
-        arrays.metric = whole.metric;
-        arrays.weight_is = whole.weight_is;
-        arrays.sites = whole.sites;
-        const auto short_of = [](const std::array<std::int64_t, 3>& row) {
-            return Face{static_cast<Index>(row[0]), static_cast<Index>(row[1]),
-                        static_cast<Index>(row[2])};
+        const auto rows = [](const std::vector<std::int64_t>& numbers, auto& to) {
+            const std::size_t size = to.empty() ? 0 : to.front().size();
+            for (std::size_t k = 0; k < numbers.size(); ++k)
+                to[k / size][k % size] = static_cast<Index>(numbers[k]);
         };
-        for (const auto& face : faces) arrays.faces.push_back(short_of(face));
-        for (const auto& row : neighbours) arrays.neighbours.push_back(short_of(row));
-        for (const auto& [site, by] : hidden)
-            arrays.hidden.push_back({static_cast<Index>(site), static_cast<Index>(by)});
-        std::vector<Site> all;
-        for (const Placed& each : sites) all.push_back(each.site);
+        const auto fill = [&](auto& result, auto& cells) {
+            result.sites = whole.sites;
+            cells.resize(faces.size() / whole.stretch.corners);
+            result.neighbours.resize(cells.size());
+            rows(faces, cells);
+            rows(neighbours, result.neighbours);
+            for (const auto& [site, by] : hidden)
+                result.hidden.push_back({static_cast<Index>(site), static_cast<Index>(by)});
+        };
         std::ostringstream out;
-        signum::write_json(out, triangulation::constructed(std::move(arrays), std::move(all), {}));
+        if (whole.stretch.corners == 4) {
+            SpaceTessellation space;
+            space.dimension = 3;
+            fill(space, space.cells);
+            signum::write_json(out, space, whole.metric, whole.weight_is, std::nullopt, {});
+        } else {
+            TessellationArrays arrays;
+            arrays.metric = whole.metric;
+            arrays.weight_is = whole.weight_is;
+            fill(arrays, arrays.faces);
+            std::vector<Site> all;
+            for (const Placed& each : sites) all.push_back(in_plane(each));
+            signum::write_json(out,
+                               triangulation::constructed(std::move(arrays), std::move(all), {}));
+        }
         const std::string text = out.str();
         file.write(0, text.data(), text.size());
         file.finish();

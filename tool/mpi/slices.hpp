@@ -13,13 +13,14 @@ namespace signum::mpi {
 struct Slices {
     /// This rank's, numbered as they stand in the file, from 0.
     std::vector<distributed::Placed> sites;
-    bool has_thirds = false;  ///< whether there are radii, or weights
+    bool has_radii = false;  ///< or weights
 };
 
-/// `name`: a file of text (x y, or x y r, a line), .npy, .f64, or FILE.h5:/path/to/coordinates, of
-/// two columns or three; `thirds`: where in the latter file there are radii or weights, or empty.
+/// `name`: a file of text (x y, or x y r, a line; of space x y z, or x y z r), .npy, .f64, or
+/// FILE.h5:/path/to/coordinates, of as many columns; `radii`: where in the latter file there are
+/// radii or weights, or empty.
 /// Collective. Throws InputError, with line and column where it has them, and MachineError.
-[[nodiscard]] Slices read_slices(Communicator& ranks, const std::string& name,
-                                 const std::string& thirds);
+[[nodiscard]] Slices read_slices(Communicator& ranks, const std::string& name, int dimension,
+                                 const std::string& radii);
 
 }  // namespace signum::mpi

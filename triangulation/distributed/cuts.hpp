@@ -15,16 +15,16 @@ class Cuts {
  public:
     /// Of so many parts, one at least, each with about as many of the sample. The same wherever it
     /// is made from the same sample. O(n log parts).
-    Cuts(std::vector<Point> sample, std::size_t parts) : parts_(parts) { cut(sample, 0, parts); }
+    Cuts(std::vector<Point3> sample, std::size_t parts) : parts_(parts) { cut(sample, 0, parts); }
 
     [[nodiscard]] std::size_t parts() const noexcept { return parts_; }
-    [[nodiscard]] std::size_t part_of(Point p) const noexcept {
+    [[nodiscard]] std::size_t part_of(const Point3& p) const noexcept {
         std::size_t first = 0;
         std::size_t last = parts_;
         for (std::size_t node = 0; last - first > 1;) {
             const Node& here = nodes_[node];
             const std::size_t middle = first + (last - first) / 2;
-            if ((here.axis == 0 ? p.x : p.y) < here.at) {
+            if (p.*here.axis < here.at) {
                 last = middle;
                 ++node;
             } else {
@@ -38,33 +38,35 @@ class Cuts {
  private:
     /// Parts first … last: the lower half is the next node.
     struct Node {
-        std::size_t axis;
+        double Point3::*axis;
         double at;
         std::size_t above;
     };
 
-    void cut(std::span<Point> sample, std::size_t first, std::size_t last) {
+    void cut(std::span<Point3> sample, std::size_t first, std::size_t last) {
         if (last - first <= 1) return;
         const std::size_t middle = first + (last - first) / 2;
         const std::size_t place = sample.size() * (middle - first) / (last - first);
         const std::size_t number = nodes_.size();
-        nodes_.push_back({0, 0.0, 0});
+        nodes_.push_back({&Point3::x, 0.0, 0});
         if (!sample.empty()) {
-            const auto put_in_place = [&](std::size_t k, double Point::*axis) {
+            const auto put_in_place = [&](std::size_t k, double Point3::*axis) {
                 std::ranges::nth_element(sample, sample.begin() + static_cast<std::ptrdiff_t>(k),
                                          {}, axis);
                 return sample[k].*axis;
             };
             // Along the axis along which most of them are spread widest. Halved, so that it cannot
             // overflow.
-            const auto spread = [&](double Point::*axis) {
+            const auto spread = [&](double Point3::*axis) {
                 const std::size_t eighth = sample.size() / 8;
                 return 0.5 * put_in_place(sample.size() - 1 - eighth, axis) -
                        0.5 * put_in_place(eighth, axis);
             };
-            const bool is_wide = spread(&Point::x) >= spread(&Point::y);
-            nodes_[number].axis = is_wide ? 0 : 1;
-            nodes_[number].at = put_in_place(place, is_wide ? &Point::x : &Point::y);
+            double Point3::*widest = &Point3::x;
+            for (double Point3::*const axis : {&Point3::y, &Point3::z})
+                if (spread(axis) > spread(widest)) widest = axis;
+            nodes_[number].axis = widest;
+            nodes_[number].at = put_in_place(place, widest);
         }
         cut(sample.first(place), first, middle);
         nodes_[number].above = nodes_.size();

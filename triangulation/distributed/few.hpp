@@ -1,7 +1,7 @@
 #pragma once
-/// What a metric's kernel says of a few sites that lie anywhere, known by their numbers in the
-/// whole, and where sites are that may matter to a face or a hidden site: by metric. For sources
-/// only.
+/// What a metric's predicates say of a few sites that lie anywhere, known by their numbers in the
+/// whole, and where sites are that may matter to a face, a cell or a hidden site: by kind. For
+/// sources only.
 
 #include <algorithm>
 #include <array>
@@ -11,10 +11,13 @@
 #include <type_traits>
 
 #include "../../filters/tally.hpp"
+#include "../../predicates/space/nearer.hpp"
+#include "../../predicates/space/ties.hpp"
 #include "../kernels/additive_kernel.hpp"
 #include "../kernels/power_kernel.hpp"
 #include "../kernels/predicates_of.hpp"
 #include "../parts/reach.hpp"
+#include "../space/reach.hpp"
 #include "../vertices/vertex_of_face.hpp"
 #include "exchange.hpp"
 
@@ -26,26 +29,54 @@ using triangulation::PredicatesOf;
 using triangulation::RankedSite;
 using triangulation::SignsOfKnown;
 
-/// The kernel of a metric, over sites of any weights, in exact arithmetic.
-template <class M, WeightIs weight_is>
-struct KernelOf {
-    using type = AdditiveKernel<typename PredicatesOf<M>::template Perturbed<>, filters::NoTally>;
+/// A kind as a type. Kernel: over sites of any weights, in exact arithmetic.
+template <class M, WeightIs weight>
+struct OfPlane {
+    using Metric = M;
+    static constexpr WeightIs weight_is = weight;
+    static constexpr std::size_t dimension = 2;
+    static constexpr bool is_straight = false;
+    using Kernel = AdditiveKernel<typename PredicatesOf<M>::template Perturbed<>, filters::NoTally>;
 };
-template <WeightIs weight_is>
-struct KernelOf<Power, weight_is> {
-    using S = typename PredicatesOf<Power, weight_is>::SiteType;
-    using type = PowerKernel<SignsOfKnown<S>, filters::NoTally>;
+template <WeightIs weight>
+struct OfPlane<Power, weight> {
+    using Metric = Power;
+    static constexpr WeightIs weight_is = weight;
+    static constexpr std::size_t dimension = 2;
+    static constexpr bool is_straight = true;
+    using S = typename PredicatesOf<Power, weight>::SiteType;
+    using Kernel = PowerKernel<SignsOfKnown<S>, filters::NoTally>;
+};
+template <WeightIs weight>
+struct OfSpace {
+    static constexpr std::size_t dimension = 3;
+    static constexpr bool is_straight = true;
+    using S = std::conditional_t<weight == WeightIs::weight, power::Site3, Site3>;
 };
 
-/// Calls work<M, weight_is>().
+/// Calls work<K>(), K the kind as a type. Precondition: check() finds the kind right.
 template <class Work>
-decltype(auto) with_kernel(Metric metric, WeightIs weight_is, const Work& work) {
-    return with_metric(metric, [&]<class M>(M) -> decltype(auto) {
+decltype(auto) with_kind(const Kind& kind, const Work& work) {
+    constexpr WeightIs weight = WeightIs::weight;
+    constexpr WeightIs radius = WeightIs::radius;
+    const bool are_weights = kind.weight_is == weight;
+    if (kind.dimension == 3)
+        return are_weights ? work.template operator()<OfSpace<weight>>()
+                           : work.template operator()<OfSpace<radius>>();
+    return with_metric(kind.metric, [&]<class M>(M) -> decltype(auto) {
         if constexpr (M::traits.has_weights)
-            if (weight_is == WeightIs::weight)
-                return work.template operator()<M, WeightIs::weight>();
-        return work.template operator()<M, WeightIs::radius>();
+            if (are_weights) return work.template operator()<OfPlane<M, weight>>();
+        return work.template operator()<OfPlane<M, radius>>();
     });
+}
+
+/// A site as predicates of straight edges take it.
+template <class K>
+[[nodiscard]] typename K::S straight(const Placed& placed) noexcept {
+    if constexpr (K::dimension == 3)
+        return {placed.site.x, placed.site.y, placed.site.z, placed.site.r};
+    else
+        return PredicatesOf<Power, K::weight_is>::site(in_plane(placed));
 }
 
 /// The places of a few sites in the order of their numbers.
@@ -58,10 +89,10 @@ template <std::size_t n>
     return numbers;
 }
 
-/// A few sites, and a kernel that knows them by their places.
-template <class M, WeightIs weight_is, std::size_t n>
+/// A few sites of the plane, and a kernel that knows them by their places.
+template <class K, std::size_t n>
 class Few {
-    using Kernel = typename KernelOf<M, weight_is>::type;
+    using Kernel = typename K::Kernel;
     using S = typename Kernel::SiteType;
 
  public:
@@ -74,15 +105,18 @@ class Few {
 
  private:
     [[nodiscard]] Kernel make(const std::array<const Placed*, n>& given) {
-        if constexpr (Kernel::is_straight) {
-            for (std::size_t a = 0; a < n; ++a)
-                sites_[a] = PredicatesOf<M, weight_is>::site(given[a]->site);
+        if constexpr (K::is_straight) {
+            for (std::size_t a = 0; a < n; ++a) sites_[a] = straight<K>(*given[a]);
             return Kernel(sites_.data(), numbers_.data());
         } else {
+            std::array<Site, n> plain;
             std::array<const Site*, n> sites;
-            for (std::size_t a = 0; a < n; ++a) sites[a] = &given[a]->site;
+            for (std::size_t a = 0; a < n; ++a) {
+                plain[a] = in_plane(*given[a]);
+                sites[a] = &plain[a];
+            }
             const std::array<Index, n> ranks = additive::ranks_of<n>(sites, numbers_);
-            for (std::size_t a = 0; a < n; ++a) sites_[a] = {given[a]->site, ranks[a]};
+            for (std::size_t a = 0; a < n; ++a) sites_[a] = {plain[a], ranks[a]};
             return Kernel(sites_.data());
         }
     }
@@ -92,24 +126,55 @@ class Few {
     Kernel kernel_;
 };
 
-/// The third number of an extent: the greater, the nearer a site is to everything. A weight, in the
-/// power metric, rounded; or a radius.
-template <class M, WeightIs weight_is>
-[[nodiscard]] double third_of(const Site& site) noexcept {
-    if constexpr (M::traits.edges_are_straight)
-        return triangulation::weight_of(PredicatesOf<M, weight_is>::site(site));
-    else
-        return site.r;
-}
-template <class M, WeightIs weight_is>
-[[nodiscard]] Extent extent_of(const Site& site) noexcept {
-    return Extent::point({site.x, site.y, third_of<M, weight_is>(site)});
+/// Whether a site conflicts with a face or cell, if it is visible; under the tie rule.
+template <class K>
+[[nodiscard]] bool conflicts(const Corners& face, const Placed& q) {
+    if constexpr (K::dimension == 3) {
+        const std::array<typename K::S, 5> sites = {straight<K>(face[0]), straight<K>(face[1]),
+                                                    straight<K>(face[2]), straight<K>(face[3]),
+                                                    straight<K>(q)};
+        const Sign sign =
+            power::in_sphere_decision(sites[0], sites[1], sites[2], sites[3], sites[4]).sign;
+        if (sign != 0) return sign > 0;
+        return power::in_sphere_tie(
+                   sites, numbered<5>({&face[0], &face[1], &face[2], &face[3], &q})) > 0;
+    } else {
+        Few<K, 4> few({&face[0], &face[1], &face[2], &q});
+        if constexpr (K::is_straight)
+            return few.kernel().conflicts(0, 1, 2, 3);
+        else
+            return few.kernel().conflicts_if_visible(0, 1, 2, 3);
+    }
 }
 
-/// How far a point is from an extent along each axis.
-[[nodiscard]] inline std::array<double, 2> gaps(Point p, const Extent& extent) noexcept {
-    return {std::max({extent.low[0] - p.x, p.x - extent.high[0], 0.0}),
-            std::max({extent.low[1] - p.y, p.y - extent.high[1], 0.0})};
+/// Whether a is nearer than b to the centre of a site; of those as near the first one in the tie
+/// rule's order is.
+template <class K>
+[[nodiscard]] bool is_nearer(const Placed& to, const Placed& a, const Placed& b) {
+    if constexpr (K::dimension == 3) {
+        const typename K::S one = straight<K>(a);
+        const typename K::S other = straight<K>(b);
+        const Sign sign = power::nearer_decision(place_of(to), one, other).sign;
+        if (sign != 0) return sign > 0;
+        return power::precedes(one, a.id < b.id ? 0 : 1, other, a.id < b.id ? 1 : 0);
+    } else {
+        Few<K, 3> few({&to, &a, &b});
+        return few.kernel().is_nearer(0, 1, 2);
+    }
+}
+
+/// What weighs a site: the greater it is, the nearer to everything. A weight, in the power metric,
+/// rounded; or a radius.
+template <class K>
+[[nodiscard]] double weight_of(const Placed& placed) noexcept {
+    if constexpr (K::is_straight)
+        return triangulation::weight_of(straight<K>(placed));
+    else
+        return placed.site.r;
+}
+template <class K>
+[[nodiscard]] Extent extent_of(const Placed& placed) noexcept {
+    return Extent::point({placed.site.x, placed.site.y, placed.site.z, weight_of<K>(placed)});
 }
 
 /// The least distance, in the metric, of a point from the sites in an extent, where they may lie
@@ -118,50 +183,61 @@ struct Nearness {
     double low;
     double high;
 };
-/// A few roundings each of differences, their norm, and the difference of that and the third
-/// number; 2^-48 pays for the sums here too. Squares may underflow: of the power metric here, of
-/// others within the interval.
-template <class M>
-[[nodiscard]] Nearness nearness(Point p, const Extent& extent) noexcept {
-    const auto [x, y] = gaps(p, extent);
+/// A few roundings each of differences, their norm, and the difference of that and the weight;
+/// 2^-48 pays for the sums here too. Squares may underflow: of the power metric here, of others
+/// within the interval.
+template <class K>
+[[nodiscard]] Nearness nearness(const Point3& p, const Extent& extent) noexcept {
+    const std::array<double, axes> place = {p.x, p.y, p.z};
+    std::array<double, axes> gap;
+    for (std::size_t k = 0; k < axes; ++k)
+        gap[k] = std::max({extent.low[k] - place[k], place[k] - extent.high[k], 0.0});
     filters::Interval norm(0.0);
-    if constexpr (M::traits.edges_are_straight)
-        norm = filters::Interval(x * x + y * y);
+    if constexpr (K::is_straight)
+        norm = filters::Interval(gap[0] * gap[0] + gap[1] * gap[1] + gap[2] * gap[2]);
     else
-        norm = PredicatesOf<M>::norm(filters::Interval(x), filters::Interval(y));
-    const double third = extent.high[2];
-    const double error = 0x1p-48 * (norm.high + std::fabs(third)) + 0x1p-1000;
-    return {(norm.low - third) - error, (norm.high - third) + error};
+        norm = PredicatesOf<typename K::Metric>::norm(filters::Interval(gap[0]),
+                                                      filters::Interval(gap[1]));
+    const double weight = extent.high[weight_place];
+    const double error = 0x1p-48 * (norm.high + std::fabs(weight)) + 0x1p-1000;
+    return {(norm.low - weight) - error, (norm.high - weight) + error};
 }
 
-/// The circle of a face.
-template <class M, WeightIs weight_is>
+/// The circle of a face, or the sphere of a cell.
+template <class K>
 class Ball {
  public:
-    explicit Ball(const std::array<Placed, 3>& face) noexcept {
-        const auto& [a, b, c] = face;
-        if constexpr (M::traits.edges_are_straight) {
-            using Predicates = PredicatesOf<M, weight_is>;
-            circle_ = triangulation::circle_of(Predicates::site(a.site), Predicates::site(b.site),
-                                               Predicates::site(c.site));
+    explicit Ball(const Corners& face) noexcept {
+        const auto& [a, b, c, d] = face;
+        if constexpr (K::dimension == 3) {
+            const std::array<typename K::S, 4> sites = {straight<K>(a), straight<K>(b),
+                                                        straight<K>(c), straight<K>(d)};
+            ball_ = spatial::ball_of(std::span<const typename K::S>(sites), {0, 1, 2, 3});
+        } else if constexpr (K::is_straight) {
+            ball_ = triangulation::circle_of(straight<K>(a), straight<K>(b), straight<K>(c));
         } else {
-            vertex_ = triangulation::vertex_of_face<M>({&a.site, &b.site, &c.site},
-                                                       numbered<3>({&a, &b, &c}), weight_is);
+            const std::array<Site, 3> sites = {in_plane(a), in_plane(b), in_plane(c)};
+            ball_ = triangulation::vertex_of_face<typename K::Metric>(
+                {&sites[0], &sites[1], &sites[2]}, numbered<3>({&a, &b, &c}), WeightIs::radius);
         }
     }
 
     /// By how much the sites in the extent are too far away for a conflict, less what rounding may
     /// have made of it: above 0 where none conflicts.
     [[nodiscard]] double excess(const Extent& extent) const noexcept {
-        if constexpr (M::traits.edges_are_straight) {
-            return circle_.excess(
-                {{extent.low[0], extent.low[1]}, {extent.high[0], extent.high[1]}, extent.high[2]});
+        if constexpr (K::is_straight) {
+            triangulation::Box<K::dimension> box;
+            for (std::size_t k = 0; k < K::dimension; ++k) {
+                box.low[k] = extent.low[k];
+                box.high[k] = extent.high[k];
+            }
+            box.greatest = extent.high[weight_place];
+            return ball_.excess(box);
         } else {
             // Each number of the vertex is the nearest double; a face without a vertex has NaN.
-            const double low = nearness<M>({vertex_.x, vertex_.y}, extent).low;
-            const double slack =
-                std::fabs(vertex_.x) + std::fabs(vertex_.y) + std::fabs(vertex_.rho);
-            return (low - vertex_.rho) - 0x1p-52 * slack;
+            const double low = nearness<K>({ball_.x, ball_.y, 0.0}, extent).low;
+            const double slack = std::fabs(ball_.x) + std::fabs(ball_.y) + std::fabs(ball_.rho);
+            return (low - ball_.rho) - 0x1p-52 * slack;
         }
     }
     [[nodiscard]] bool may_be_reached_from(const Extent& extent) const noexcept {
@@ -169,11 +245,7 @@ class Ball {
     }
 
  private:
-    struct Nothing {};
-    static constexpr bool is_straight = M::traits.edges_are_straight;
-    [[no_unique_address]] std::conditional_t<is_straight, triangulation::Orthoball<2>, Nothing>
-        circle_;
-    [[no_unique_address]] std::conditional_t<is_straight, Nothing, DiagramVertex> vertex_;
+    std::conditional_t<K::is_straight, triangulation::Orthoball<K::dimension>, DiagramVertex> ball_;
 };
 
 /// Where a site has its centre that takes the middle of an edge of i and j and leaves both ends, in
@@ -186,16 +258,17 @@ class Ball {
 /// connected.
 class Middle {
  public:
-    Middle(const Site& i, const Site& j) noexcept {
-        const std::array<std::array<double, 2>, 2> centres = {{{i.x, i.y}, {j.x, j.y}}};
+    Middle(const Placed& i, const Placed& j) noexcept {
+        const std::array<std::array<double, 2>, 2> centres = {
+            {{i.site.x, i.site.y}, {j.site.x, j.site.y}}};
         for (std::size_t axis = 0; axis < 2; ++axis) {
-            low_[axis] = std::min(centres[0][axis] - i.r, centres[1][axis] - j.r);
-            high_[axis] = std::max(centres[0][axis] + i.r, centres[1][axis] + j.r);
+            low_[axis] = std::min(centres[0][axis] - i.site.r, centres[1][axis] - j.site.r);
+            high_[axis] = std::max(centres[0][axis] + i.site.r, centres[1][axis] + j.site.r);
         }
     }
     [[nodiscard]] bool may_be_taken_from(const Extent& extent) const noexcept {
         // Two roundings.
-        const double r = extent.low[2];
+        const double r = extent.low[weight_place];
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const double slack =
                 0x1p-50 * (std::fabs(low_[axis]) + std::fabs(high_[axis]) + std::fabs(r) +

@@ -153,12 +153,10 @@ class Steps {
     std::size_t told_ = 0;
 };
 
-}  // namespace
-
-void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weight_is,
-                         const DiskOptions& options,
-                         const std::function<void(const WholeCounts&)>& begin,
-                         const std::function<void(std::span<const WholeFace>)>& put) {
+template <std::size_t corners>
+void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions& options,
+                   const std::function<void(const WholeCounts&)>& begin,
+                   const std::function<void(std::span<const std::int64_t>)>& put) {
     const std::size_t parts = options.parts;
     if (parts == 0 || parts > most_parts)
         throw std::invalid_argument("parts: " + std::to_string(parts) + ", 1 to " +
@@ -172,7 +170,7 @@ void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weigh
     std::uint64_t spared = ~std::uint64_t{0};
     for (std::size_t slice = 0; slice < sites.slices; ++slice) {
         const std::vector<Placed> some = sites.read(slice);
-        check(some, metric, weight_is);
+        check(some, kind);
         counts.sites += static_cast<std::int64_t>(some.size());
         const auto is_in = [&](const Placed& each) {
             return mix(static_cast<std::uint64_t>(each.id)) <= spared;
@@ -187,8 +185,8 @@ void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weigh
         steps.step();
     }
     if (counts.sites == 0) throw NoStructure("no site");
-    std::vector<Point> points;
-    for (const Placed& each : sample) points.push_back({each.site.x, each.site.y});
+    std::vector<Point3> points;
+    for (const Placed& each : sample) points.push_back(place_of(each));
     const Cuts cuts(std::move(points), parts);
 
     // And once more, for the parts.
@@ -199,14 +197,14 @@ void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weigh
         for (std::size_t k = 0; k < parts; ++k) dealt.emplace_back(options.folder);
         for (std::size_t slice = 0; slice < sites.slices; ++slice) {
             for (const Placed& each : sites.read(slice))
-                dealt[cuts.part_of({each.site.x, each.site.y})].append(each);
+                dealt[cuts.part_of(place_of(each))].append(each);
             steps.step();
         }
         while (!dealt.empty()) {
             // The last one first, so that each is gone when it has been read.
             std::vector<Placed> own = dealt.back().read();
             dealt.pop_back();
-            order_along_curve(own);
+            order_along_curve(own, kind);
             in_parts.append(own);
             begins.push_back(in_parts.size());
             steps.step();
@@ -217,13 +215,12 @@ void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weigh
     Extent whole = no_extent();
     // The last part came first.
     for (std::size_t k = parts; k-- > 0;) {
-        stores.emplace_back(mapped.all().subspan(begins[k], begins[k + 1] - begins[k]), metric,
-                            weight_is);
+        stores.emplace_back(mapped.all().subspan(begins[k], begins[k + 1] - begins[k]), kind);
         if (!is_empty(stores.back().extent())) whole.include(stores.back().extent());
         mapped.forget();
     }
 
-    Farthest farthest(metric, whole);
+    Farthest farthest(kind, whole);
     farthest.include(sample);
     std::vector<Placed> candidates;
     std::vector<Placed> greatest;
@@ -232,11 +229,10 @@ void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weigh
     };
     for (const SiteStore& store : stores) {
         add(candidates, endless_among(store, farthest));
-        add(greatest, greatest_of(store.sites(), metric, weight_is));
+        add(greatest, greatest_of(store.sites(), kind));
         mapped.forget();
     }
-    const std::vector<Placed> common =
-        common_of(std::move(candidates), greatest, metric, weight_is);
+    const std::vector<Placed> common = common_of(std::move(candidates), greatest, kind);
     std::vector<PartBounds> bounds;
     for (const SiteStore& store : stores) {
         bounds.push_back({store.extent_but(common), store.spacing()});
@@ -245,24 +241,26 @@ void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weigh
 
     // Faces go to files by their first sites.
     const Stretches stretches(counts.sites, parts);
-    std::vector<Scratch<WholeFace>> files;
+    std::vector<Scratch<WholeCell<corners>>> files;
     for (std::size_t k = 0; k < parts; ++k) files.emplace_back(options.folder);
     std::mutex one_at_a_time;
     const Workers workers(options.threads, static_cast<std::size_t>(counts.sites));
     workers.each(parts, [&](std::size_t number) {
         std::vector<Placed> others;
         std::ranges::copy_if(common, std::back_inserter(others), [&](const Placed& each) {
-            return cuts.part_of({each.site.x, each.site.y}) != number;
+            return cuts.part_of(place_of(each)) != number;
         });
         SharedExchange exchange(stores);
-        const std::unique_ptr<Part> part = make_part(metric, weight_is);
+        const std::unique_ptr<Part> part = make_part(kind);
         part->settle(stores[number], others, bounds, number, exchange, options.stop);
         const std::lock_guard lock(one_at_a_time);
         counts.hidden += static_cast<std::int64_t>(part->hidden().size());
-        part->each_face([&](const WholeFace& face) {
+        part->each_face([&](std::span<const std::int64_t> sites_of_cell) {
+            WholeCell<corners> cell;
+            std::ranges::copy(sites_of_cell, cell.begin());
             ++counts.faces;
-            counts.infinite_faces += face[0] < 0 ? 1 : 0;
-            files[stretches.of(face[0])].append(face);
+            counts.infinite_faces += cell[0] < 0 ? 1 : 0;
+            files[stretches.of(cell[0])].append(cell);
         });
         mapped.forget();
         steps.step();
@@ -270,11 +268,22 @@ void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weigh
 
     begin(counts);
     for (std::size_t k = 0; k < parts; ++k) {
-        const SortedFaces sorted(files[k].read(), stretches.begin_of_faces(k),
-                                 stretches.begin(k + 1));
-        put(sorted.faces());
+        const SortedCells<corners> sorted(files[k].read(), stretches.begin_of_faces(k),
+                                          stretches.begin(k + 1));
+        put({sorted.cells().data()->data(), corners * sorted.cells().size()});
         steps.step();
     }
+}
+
+}  // namespace
+
+void triangulate_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions& options,
+                         const std::function<void(const WholeCounts&)>& begin,
+                         const std::function<void(std::span<const std::int64_t>)>& put) {
+    if (kind.dimension == 3)
+        build_on_disk<4>(sites, kind, options, begin, put);
+    else
+        build_on_disk<3>(sites, kind, options, begin, put);
 }
 
 }  // namespace signum::distributed

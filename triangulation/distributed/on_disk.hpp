@@ -1,5 +1,5 @@
 #pragma once
-/// Tessellations of the plane of more sites than fit into memory: parts that lie on a disk are
+/// Tessellations of more sites than fit into memory: parts that lie on a disk are
 /// settled one after the other, or as many at a time as there are threads. The result is that of
 /// triangulate().
 
@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "../metric.hpp"
 #include "exchange.hpp"
 #include "part.hpp"
 
@@ -25,7 +24,9 @@ struct SlicedSites {
 };
 
 /// How many bytes a site of a part takes while that is settled, and when faces are sorted.
-inline constexpr std::int64_t bytes_a_site = 320;
+[[nodiscard]] constexpr std::int64_t bytes_a_site(const Kind& kind) noexcept {
+    return kind.dimension == 3 ? 1200 : 320;
+}
 
 /// Each part has a file open, twice.
 inline constexpr std::size_t most_parts = 500;
@@ -33,7 +34,8 @@ inline constexpr std::size_t most_parts = 500;
 struct DiskOptions {
     std::size_t parts = 1;
     int threads = 0;           ///< that settle parts, as Options::threads
-    std::string folder = ".";  ///< where files without a name take some 130 bytes a site
+    std::string folder = ".";  ///< where files without a name take some 140 bytes a site, of
+                               ///< space 270
     std::stop_token stop = {};
     std::function<void(double)> progress = {};  ///< by one thread at a time
 };
@@ -42,16 +44,16 @@ struct DiskOptions {
 struct WholeCounts {
     std::int64_t sites = 0;
     std::int64_t hidden = 0;
-    std::int64_t faces = 0;
+    std::int64_t faces = 0;  ///< or cells
     std::int64_t infinite_faces = 0;
 };
 
-/// Calls begin(counts), and put(faces) for one stretch after the other of the faces in the order of
-/// arrays.hpp. Throws NoStructure, std::invalid_argument (what check() says, or no part, or more
-/// than most_parts), Stopped, std::system_error where the disk fails.
-void triangulate_on_disk(const SlicedSites& sites, Metric metric, WeightIs weight_is,
-                         const DiskOptions& options,
+/// Calls begin(counts), and put(numbers) for one stretch after the other of the faces in the order
+/// of arrays.hpp, three numbers each, or of cells in that of SpaceTessellation, four numbers each.
+/// Throws NoStructure, std::invalid_argument (what check() says, or no part, or more than
+/// most_parts), Stopped, std::system_error where the disk fails.
+void triangulate_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions& options,
                          const std::function<void(const WholeCounts&)>& begin,
-                         const std::function<void(std::span<const WholeFace>)>& put);
+                         const std::function<void(std::span<const std::int64_t>)>& put);
 
 }  // namespace signum::distributed

@@ -19,8 +19,8 @@
 /// beyond the line of one of its sides, and its third number is G at most. A face is asked about
 /// where such a t may reach its vertex (Ball); and *all those are found* by a search from the faces
 /// that have another vertex than own sites, from site to site of the faces that may be reached:
-///  - power: the faces in conflict with t lie side by side. One of them contains t's centre, which
-///    the triangle of three own sites cannot, or is at infinity.
+///  - power, in the plane and in space: the faces in conflict with t lie side by side. One of them
+///    contains t's centre, which the triangle of three own sites cannot, or is at infinity.
 ///  - the others: with n towards t's side at a right angle to the line, h the least n·t, and s the
 ///    site that is nearest to q, f(q) = d(q, s) - r_s + n·q; a face may be reached where f >= h - G
 ///    at its vertex. t takes all points between any of its cell and its centre, and there f >= h -
@@ -39,7 +39,6 @@
 #include <stop_token>
 #include <vector>
 
-#include "../metric.hpp"
 #include "exchange.hpp"
 #include "site_store.hpp"
 
@@ -51,8 +50,11 @@ struct PartBounds {
     double spacing;  ///< SiteStore::spacing()
 };
 
-/// By the numbers of its sites in the whole; -1 for infinity, which comes first, or else the least.
-using WholeFace = std::array<std::int64_t, 3>;
+/// A face of the plane, or a cell of space, by the numbers of its sites in the whole; -1 for
+/// infinity, which comes first, or else the least. In space the least of the others is the second.
+template <std::size_t corners>
+using WholeCell = std::array<std::int64_t, corners>;
+using WholeFace = WholeCell<3>;
 
 /// Which face is across an edge of another one: that opposite vertex `corner` of `face`.
 struct Adjacency {
@@ -66,8 +68,8 @@ struct WholeHidden {
     std::int64_t by;
 };
 
-/// All own sites lie on one line (power), or one hides all others: there is nothing that parts
-/// could share.
+/// All sites lie on one line (power), or in one plane (space), or one hides all others: there is
+/// nothing that parts could share.
 class NoStructure : public std::runtime_error {
  public:
     using std::runtime_error::runtime_error;
@@ -87,13 +89,14 @@ class Part {
                         std::span<const PartBounds> parts, std::size_t number, Exchange& exchange,
                         const std::stop_token& stop) = 0;
 
-    /// The faces whose least site is an own one.
-    virtual void each_face(const std::function<void(const WholeFace&)>& put) const = 0;
+    /// The faces or cells whose least site is an own one (WholeCell).
+    virtual void each_face(
+        const std::function<void(std::span<const std::int64_t>)>& put) const = 0;
     /// Both sides of each edge whose lesser site is an own one, where there are several between its
-    /// two sites: of all others the faces tell.
+    /// two sites: of all others the faces tell. In space there are none.
     virtual void each_adjacency(const std::function<void(const Adjacency&)>& put) const = 0;
-    /// The neighbours of each visible own site, counterclockwise, -1 for infinity: one as often as
-    /// there are edges between the two.
+    /// The neighbours of each visible own site, -1 for infinity: in the plane counterclockwise, one
+    /// as often as there are edges between the two; in space by their numbers.
     virtual void each_star(
         const std::function<void(std::int64_t site, std::span<const std::int64_t> neighbours)>& put)
         const = 0;
@@ -110,6 +113,6 @@ class Part {
     [[nodiscard]] virtual Told told() const noexcept = 0;
 };
 
-[[nodiscard]] std::unique_ptr<Part> make_part(Metric metric, WeightIs weight_is);
+[[nodiscard]] std::unique_ptr<Part> make_part(const Kind& kind);
 
 }  // namespace signum::distributed

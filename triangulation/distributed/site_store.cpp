@@ -9,7 +9,7 @@
 
 #include "../../exact/floating_environment.hpp"
 #include "../insertion/edge_interior.hpp"
-#include "../structure/spatial_order.hpp"
+#include "../structure/curve_order.hpp"
 #include "few.hpp"
 
 namespace signum::distributed {
@@ -33,7 +33,7 @@ std::span<const Placed> block_of(std::span<const Placed> sites, std::size_t bloc
 template <class Near>
 class Nearest {
  public:
-    Nearest(const BoxTree<3>& tree, std::span<const Placed> sites, const Near& near)
+    Nearest(const BoxTree<4>& tree, std::span<const Placed> sites, const Near& near)
         : tree_(tree), sites_(sites), near_(near) {
         if (!tree.nodes().empty()) look_at(tree.nodes().front());
     }
@@ -56,18 +56,18 @@ class Nearest {
                 continue;
             }
             for (const Placed& site : block_of(sites_, node.first))
-                put(extent_of(site.site), {0.0, nullptr, &site});
+                put(extent_of(site), {0.0, nullptr, &site});
         }
     }
 
  private:
     struct Entry {
         double key;
-        const BoxTree<3>::Node* node;
+        const BoxTree<4>::Node* node;
         const Placed* site;
         [[nodiscard]] bool operator<(const Entry& other) const noexcept { return key > other.key; }
     };
-    void look_at(const BoxTree<3>::Node& node) { put(node, {0.0, &node, nullptr}); }
+    void look_at(const BoxTree<4>::Node& node) { put(node, {0.0, &node, nullptr}); }
     void put(const Extent& extent, Entry entry) {
         const std::optional<double> key = near_(extent);
         if (!key) return;
@@ -75,43 +75,37 @@ class Nearest {
         queue_.push(entry);
     }
 
-    const BoxTree<3>& tree_;
+    const BoxTree<4>& tree_;
     std::span<const Placed> sites_;
     Near near_;
     std::priority_queue<Entry> queue_;
 };
 
-template <class M, WeightIs weight_is>
+template <class K>
 class Answering {
  public:
-    Answering(const BoxTree<3>& tree, std::span<const Placed> sites) : tree_(tree), sites_(sites) {}
+    Answering(const BoxTree<4>& tree, std::span<const Placed> sites) : tree_(tree), sites_(sites) {}
 
-    void conflicting(const std::array<Placed, 3>& face, std::vector<Placed>& found) const {
-        const Ball<M, weight_is> ball(face);
+    void conflicting(const Corners& face, std::vector<Placed>& found) const {
+        const Ball<K> ball(face);
         Nearest nearest(tree_, sites_, [&](const Extent& extent) -> std::optional<double> {
             const double excess = ball.excess(extent);
             if (excess > 0.0) return std::nullopt;
             return excess;
         });
         const std::size_t before = found.size();
-        nearest.visit(extent_of<M, weight_is>, [&](const Placed& site) {
+        nearest.visit(extent_of<K>, [&](const Placed& site) {
             if (std::ranges::find(face, site.id, &Placed::id) != face.end()) return true;
-            Few<M, weight_is, 4> few({&face[0], &face[1], &face[2], &site});
-            bool conflicts;
-            if constexpr (M::traits.edges_are_straight)
-                conflicts = few.kernel().conflicts(0, 1, 2, 3);
-            else
-                conflicts = few.kernel().conflicts_if_visible(0, 1, 2, 3);
-            if (!conflicts) return true;
+            if (!conflicts<K>(face, site)) return true;
             found.push_back(site);
             return found.size() < before + most;
         });
     }
 
     void in_the_middle(const EdgeQuestion& edge, std::vector<Placed>& found) const {
-        if constexpr (!M::traits.edges_are_straight) {
+        if constexpr (!K::is_straight) {
             const auto& [i, j, k, l] = edge;
-            const Middle middle(i.site, j.site);
+            const Middle middle(i, j);
             const auto meets = [&](const Extent& extent) {
                 return middle.may_be_taken_from(extent);
             };
@@ -119,9 +113,9 @@ class Answering {
             const auto never = [](const auto&, const auto&) { return false; };
             tree_.visit(meets, never, [&](const auto& node) {
                 for (const Placed& site : block_of(sites_, node.first)) {
-                    if (!meets(extent_of<M, weight_is>(site.site))) continue;
+                    if (!meets(extent_of<K>(site))) continue;
                     if (std::ranges::find(edge, site.id, &Placed::id) != edge.end()) continue;
-                    Few<M, weight_is, 5> few({&i, &j, &k, &l, &site});
+                    Few<K, 5> few({&i, &j, &k, &l, &site});
                     if (takes_middle(few.kernel(), k.id < 0 ? infinite : 2,
                                      l.id < 0 ? infinite : 3))
                         found.push_back(site);
@@ -133,19 +127,18 @@ class Answering {
     }
 
     [[nodiscard]] Placed nearest_to(const Placed& hidden, Placed best) const {
-        const Point p = {hidden.site.x, hidden.site.y};
-        double high = nearness<M>(p, extent_of<M, weight_is>(best.site)).high;
+        const Point3 p = place_of(hidden);
+        double high = nearness<K>(p, extent_of<K>(best)).high;
         Nearest nearest(tree_, sites_, [&](const Extent& extent) -> std::optional<double> {
-            const double low = nearness<M>(p, extent).low;
+            const double low = nearness<K>(p, extent).low;
             if (low > high) return std::nullopt;
             return low;
         });
-        nearest.visit(extent_of<M, weight_is>, [&](const Placed& site) {
+        nearest.visit(extent_of<K>, [&](const Placed& site) {
             if (site.id == best.id || site.id == hidden.id) return true;
-            Few<M, weight_is, 3> few({&hidden, &site, &best});
-            if (few.kernel().is_nearer(0, 1, 2)) {
+            if (is_nearer<K>(hidden, site, best)) {
                 best = site;
-                high = nearness<M>(p, extent_of<M, weight_is>(best.site)).high;
+                high = nearness<K>(p, extent_of<K>(best)).high;
             }
             return true;
         });
@@ -164,38 +157,53 @@ class Answering {
                triangulation::ends_within<Kernel>({0, 1, k, l}, kernel, q, false);
     }
 
-    const BoxTree<3>& tree_;
+    const BoxTree<4>& tree_;
     std::span<const Placed> sites_;
 };
 
 }  // namespace
 
-void check(std::span<const Placed> sites, Metric metric, WeightIs weight_is) {
-    if (weight_is == WeightIs::weight && !traits_of(metric).has_weights)
-        throw std::invalid_argument(no_weights(metric));
+void check(std::span<const Placed> sites, const Kind& kind) {
+    if (kind.weight_is == WeightIs::weight && !traits_of(kind.metric).has_weights)
+        throw std::invalid_argument(no_weights(kind.metric));
+    if (kind.dimension == 3 && kind.metric != Metric::power)
+        throw std::invalid_argument("of space the power metric alone is known");
     for (const auto& [site, id] : sites)
-        if (!std::isfinite(site.x) || !std::isfinite(site.y) || !std::isfinite(site.r))
+        if (!are_finite(site))
             throw std::invalid_argument("site " + std::to_string(id) + " is not finite");
 }
 
-void order_along_curve(std::span<Placed> sites) {
-    if (sites.empty()) return;
-    const StridedSites view(sites.size(), sizeof(Placed), &sites.front().site.x,
-                            &sites.front().site.y);
-    const LargeArray<Index> ranks = triangulation::ranks_along_curve(view, Workers(1));
+void order_along_curve(std::span<Placed> sites, const Kind& kind) {
+    const CurveKeys layout = kind.dimension == 3 ? CurveKeys{32, 10} : CurveKeys{32, 16};
+    LargeArray<std::uint64_t> keys(sites.size());
+    for (std::size_t i = 0; i < sites.size(); ++i) keys[i] = i;
+    if (kind.dimension == 3)
+        sort_along_curve<3>(
+            std::span(keys), layout,
+            [&](std::size_t i) {
+                const auto& [x, y, z] = place_of(sites[i]);
+                return std::array{x, y, z};
+            },
+            Workers(1));
+    else
+        sort_along_curve<2>(
+            std::span(keys), layout,
+            [&](std::size_t i) {
+                return std::array{sites[i].site.x, sites[i].site.y};
+            },
+            Workers(1));
     LargeArray<Placed> sorted(sites.size());
-    for (std::size_t i = 0; i < sites.size(); ++i)
-        sorted[static_cast<std::size_t>(ranks[i])] = sites[i];
+    for (std::size_t i = 0; i < sites.size(); ++i) sorted[i] = sites[layout.item(keys[i])];
     std::ranges::copy(sorted, sites.begin());
 }
 
-SiteStore::SiteStore(std::span<const Placed> sites, Metric metric, WeightIs weight_is)
-    : sites_(sites), metric_(metric), weight_is_(weight_is), extent_(no_extent()) {
-    with_kernel(metric, weight_is, [&]<class M, WeightIs w>() {
+SiteStore::SiteStore(std::span<const Placed> sites, const Kind& kind)
+    : sites_(sites), kind_(kind), extent_(no_extent()) {
+    with_kind(kind, [&]<class K>() {
         tree_ = {blocks_of(sites), 1, 0, [&](std::size_t block) {
                      Extent extent = no_extent();
                      for (const Placed& each : block_of(sites, block))
-                         extent.include(extent_of<M, w>(each.site));
+                         extent.include(extent_of<K>(each));
                      return extent;
                  }};
     });
@@ -203,21 +211,21 @@ SiteStore::SiteStore(std::span<const Placed> sites, Metric metric, WeightIs weig
 }
 
 Extent SiteStore::extent_but(std::span<const Placed> some) const {
-    return with_kernel(metric_, weight_is_, [&]<class M, WeightIs w>() {
+    return with_kind(kind_, [&]<class K>() {
         Extent extent = no_extent();
         for (const Placed& each : sites_)
             if (!std::ranges::binary_search(some, each.id, {}, &Placed::id))
-                extent.include(extent_of<M, w>(each.site));
+                extent.include(extent_of<K>(each));
         return extent;
     });
 }
 
 std::vector<Placed> SiteStore::sites_where(const std::function<bool(const Extent&)>& may_be) const {
-    return with_kernel(metric_, weight_is_, [&]<class M, WeightIs w>() {
+    return with_kind(kind_, [&]<class K>() {
         std::vector<Placed> result;
         tree_.visit(may_be, [&](std::uint32_t block) {
             for (const Placed& each : block_of(sites_, block))
-                if (may_be(extent_of<M, w>(each.site))) result.push_back(each);
+                if (may_be(extent_of<K>(each))) result.push_back(each);
         });
         return result;
     });
@@ -225,9 +233,14 @@ std::vector<Placed> SiteStore::sites_where(const std::function<bool(const Extent
 
 double SiteStore::spacing() const noexcept {
     if (sites_.empty()) return 0.0;
-    const double share = 1.0 / std::sqrt(static_cast<double>(sites_.size()));
-    return std::sqrt((extent_.high[0] * share - extent_.low[0] * share)) *
-           std::sqrt((extent_.high[1] * share - extent_.low[1] * share));
+    const auto root = [&](double number) {
+        return kind_.dimension == 3 ? std::cbrt(number) : std::sqrt(number);
+    };
+    const double share = 1.0 / root(static_cast<double>(sites_.size()));
+    double spacing = 1.0;
+    for (std::size_t axis = 0; axis < kind_.dimension; ++axis)
+        spacing *= root(extent_.high[axis] * share - extent_.low[axis] * share);
+    return spacing;
 }
 
 Answers SiteStore::answer(const Questions& questions) const {
@@ -240,8 +253,8 @@ Answers SiteStore::answer(const Questions& questions) const {
     }
     if (questions.faces.empty() && questions.edges.empty() && questions.hidden.empty())
         return answers;
-    with_kernel(metric_, weight_is_, [&]<class M, WeightIs w>() {
-        const Answering<M, w> answering(tree_, sites_);
+    with_kind(kind_, [&]<class K>() {
+        const Answering<K> answering(tree_, sites_);
         for (const auto& face : questions.faces) answering.conflicting(face, answers.sites);
         for (const auto& edge : questions.edges) answering.in_the_middle(edge, answers.sites);
         for (const auto& [hidden, by] : questions.hidden)

@@ -1,6 +1,6 @@
 #pragma once
-/// The whole from what parts tell: which faces meet in an edge. In an array, or in stretches of it
-/// that ranks hold.
+/// The whole from what parts tell: which faces meet in an edge, which cells in a facet. In an array,
+/// or in stretches of it that ranks hold.
 
 #include <algorithm>
 #include <cstdint>
@@ -36,100 +36,110 @@ class Stretches {
     std::size_t count_;
 };
 
-/// An edge as one of its faces has it.
-struct HalfOfEdge {
-    std::int64_t lesser;  ///< its sites; infinity, -1, is the other one
-    std::int64_t other;
-    std::int64_t place;  ///< 8 times the number of the face, and side()
+/// An edge as one of its faces has it, or a facet as one of its cells has.
+template <std::size_t corners>
+struct Half {
+    std::int64_t lesser;  ///< the least of its sites
+    std::array<std::int64_t, corners - 2> others;  ///< by their numbers; infinity, -1, is the last
+    std::int64_t place;                            ///< as Across has it
 };
 
-/// Three halves of a face.
-template <class Put>
-void each_half(const WholeFace& face, std::int64_t number, const Put& put) {
-    for (std::int64_t corner = 0; corner < 3; ++corner) {
-        const std::int64_t from = face[static_cast<std::size_t>((corner + 1) % 3)];
-        const std::int64_t to = face[static_cast<std::size_t>((corner + 2) % 3)];
-        const bool is_forward = to < 0 || (from >= 0 && from < to);
-        put(is_forward ? HalfOfEdge{from, to, 8 * number + 2 * corner}
-                       : HalfOfEdge{to, from, 8 * number + 2 * corner + 1});
+/// All halves of a face or cell.
+template <std::size_t corners, class Put>
+void each_half(const WholeCell<corners>& cell, std::int64_t number, const Put& put) {
+    for (std::size_t corner = 0; corner < corners; ++corner) {
+        std::array<std::int64_t, corners - 1> sites;
+        for (std::size_t k = 0; k + 1 < corners; ++k) sites[k] = cell[(corner + 1 + k) % corners];
+        // Infinity after all others.
+        std::ranges::sort(sites, {}, [](std::int64_t site) {
+            return static_cast<std::uint64_t>(site);
+        });
+        Half<corners> half;
+        half.lesser = sites[0];
+        std::copy(sites.begin() + 1, sites.end(), half.others.begin());
+        half.place = 4 * number + static_cast<std::int64_t>(corner);
+        put(half);
     }
 }
 
-/// The face across from a corner.
+/// The face or cell across from a corner.
 struct Across {
-    std::int64_t place;  ///< 4 times the number of the face, and the corner
+    std::int64_t place;  ///< 4 times the number of the face or cell, and the corner
     std::int64_t neighbour;
 };
 
-/// Joins the halves of edges of which there is one between their sites; these are to be all halves
-/// with a lesser site from `first` to before `last`. O(n), unless a site has neighbours without
-/// bound.
-[[nodiscard]] inline std::vector<Across> joined(std::span<const HalfOfEdge> halves,
-                                                std::int64_t first, std::int64_t last) {
+/// Joins the halves of which there are two between their sites; these are to be all halves with a
+/// lesser site from `first` to before `last`. O(n), unless a site has neighbours without bound.
+template <std::size_t corners>
+[[nodiscard]] std::vector<Across> joined(std::span<const Half<corners>> halves, std::int64_t first,
+                                         std::int64_t last) {
     std::vector<std::size_t> begins(static_cast<std::size_t>(last - first) + 2);
-    const auto bucket = [&](const HalfOfEdge& half) {
+    const auto bucket = [&](const Half<corners>& half) {
         return static_cast<std::size_t>(half.lesser - first);
     };
-    for (const HalfOfEdge& each : halves) ++begins[bucket(each) + 2];
+    for (const Half<corners>& each : halves) ++begins[bucket(each) + 2];
     for (std::size_t b = 2; b < begins.size(); ++b) begins[b] += begins[b - 1];
     struct Dealt {
-        std::int64_t other;
+        std::array<std::int64_t, corners - 2> others;
         std::int64_t place;
     };
     std::vector<Dealt> dealt(halves.size());
     // The begin of each bucket moves to its end.
-    for (const HalfOfEdge& each : halves)
-        dealt[begins[bucket(each) + 1]++] = {each.other, each.place};
+    for (const Half<corners>& each : halves)
+        dealt[begins[bucket(each) + 1]++] = {each.others, each.place};
     std::vector<Across> result;
     result.reserve(halves.size());
     for (std::size_t b = 0; b + 1 < begins.size(); ++b) {
         const std::span<Dealt> of_site =
             std::span(dealt).subspan(begins[b], begins[b + 1] - begins[b]);
-        std::ranges::sort(of_site, {}, &Dealt::other);
+        std::ranges::sort(of_site, {}, &Dealt::others);
         for (std::size_t k = 0, end; k < of_site.size(); k = end) {
             end = k + 1;
-            while (end < of_site.size() && of_site[end].other == of_site[k].other) ++end;
+            while (end < of_site.size() && of_site[end].others == of_site[k].others) ++end;
             if (end - k != 2) continue;
             for (const auto& [one, two] : {std::pair(of_site[k].place, of_site[k + 1].place),
                                            std::pair(of_site[k + 1].place, of_site[k].place)})
-                result.push_back({one / 2, two / 8});
+                result.push_back({one, two / 4});
         }
     }
     return result;
 }
 
-/// Faces, sorted, some of the whole's.
-class SortedFaces {
+/// Faces or cells, sorted, some of the whole's.
+template <std::size_t corners>
+class SortedCells {
+    using Cell = WholeCell<corners>;
+
  public:
     /// Those of which the first site, or infinity, is `first` or a later one, but before `last`.
-    SortedFaces(std::vector<WholeFace> faces, std::int64_t first, std::int64_t last)
+    SortedCells(std::vector<Cell> cells, std::int64_t first, std::int64_t last)
         : first_(first), begins_(static_cast<std::size_t>(last - first) + 2) {
-        for (const WholeFace& face : faces) ++begins_[bucket(face) + 2];
+        for (const Cell& cell : cells) ++begins_[bucket(cell) + 2];
         for (std::size_t b = 2; b < begins_.size(); ++b) begins_[b] += begins_[b - 1];
-        faces_.resize(faces.size());
-        for (const WholeFace& face : faces) faces_[begins_[bucket(face) + 1]++] = face;
+        cells_.resize(cells.size());
+        for (const Cell& cell : cells) cells_[begins_[bucket(cell) + 1]++] = cell;
         for (std::size_t b = 0; b + 1 < begins_.size(); ++b) std::ranges::sort(of(b));
     }
-    [[nodiscard]] const std::vector<WholeFace>& faces() const noexcept { return faces_; }
-    /// Where a face stands among them. Throws std::logic_error where it does not.
-    [[nodiscard]] std::size_t place_of(const WholeFace& face) {
-        const std::span<WholeFace> some = of(bucket(face));
-        const auto found = std::ranges::lower_bound(some, face);
-        if (found == some.end() || *found != face)
+    [[nodiscard]] const std::vector<Cell>& cells() const noexcept { return cells_; }
+    /// Where one stands among them. Throws std::logic_error where it does not.
+    [[nodiscard]] std::size_t place_of(const Cell& cell) {
+        const std::span<Cell> some = of(bucket(cell));
+        const auto found = std::ranges::lower_bound(some, cell);
+        if (found == some.end() || *found != cell)
             throw std::logic_error("the parts of a tessellation do not fit together");
-        return begins_[bucket(face)] + static_cast<std::size_t>(found - some.begin());
+        return begins_[bucket(cell)] + static_cast<std::size_t>(found - some.begin());
     }
 
  private:
-    [[nodiscard]] std::size_t bucket(const WholeFace& face) const noexcept {
-        return static_cast<std::size_t>(face[0] - first_);
+    [[nodiscard]] std::size_t bucket(const Cell& cell) const noexcept {
+        return static_cast<std::size_t>(cell[0] - first_);
     }
-    [[nodiscard]] std::span<WholeFace> of(std::size_t b) noexcept {
-        return std::span(faces_).subspan(begins_[b], begins_[b + 1] - begins_[b]);
+    [[nodiscard]] std::span<Cell> of(std::size_t b) noexcept {
+        return std::span(cells_).subspan(begins_[b], begins_[b + 1] - begins_[b]);
     }
     std::int64_t first_;
     std::vector<std::size_t> begins_;
-    std::vector<WholeFace> faces_;
+    std::vector<Cell> cells_;
 };
 
 }  // namespace signum::distributed

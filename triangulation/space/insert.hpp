@@ -65,6 +65,8 @@ class Insertion {
     void insert(Index q, const Hidden& hidden) {
         look_from(q);
         site_ = in_frame(kernel_.at(q), frame_);
+        if (!is_in(frame_, site_)) [[unlikely]]
+            site_.fill(std::numeric_limits<double>::quiet_NaN());
         const SphereTest test(site_, frame_);
         Index home = descend(test);
         if (home == unset) {
@@ -78,6 +80,11 @@ class Insertion {
         find_hidden([&](Index v) { hidden(v, q); });
         join(q);
     }
+
+    /// How many sites there will be, after all. Those that lie outside the frame, or weigh more, are
+    /// judged without spheres.
+    void expect(std::size_t sites) { seen_.resize(sites + 1, 0); }
+    [[nodiscard]] const Cells& cells() const noexcept { return cells_; }
 
     /// The cells, and memory for as many fours, in which their spheres were.
     struct Built {

@@ -34,6 +34,14 @@ class ExactKernel : public View<S> {
           numbers_(numbers.data()),
           lattice_(sites),
           can_refine_(are_in_window(sites)) {}
+    /// More sites, after the same ones, which may lie elsewhere in memory. Not between look_from()
+    /// and an answer.
+    void extend(std::span<const S> sites, std::span<const Index> numbers) noexcept {
+        this->move_to(sites.data());
+        numbers_ = numbers.data();
+        lattice_ = Lattice(sites);
+        can_refine_ = are_in_window(sites);
+    }
 
     /// The orientation of four sites.
     [[nodiscard]] Sign ccw(Index a, Index b, Index c, Index d) const noexcept {

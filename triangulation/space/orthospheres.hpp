@@ -17,6 +17,7 @@
 /// 2^-21 of its terms, fits into the other half, in every rounding mode. Where something overflows
 /// or is a NaN the comparison fails.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -71,6 +72,13 @@ template <power::PowerSite3 S>
     if constexpr (requires { s.r; }) weight = (s.r * frame.scale) * (s.r * frame.scale);
     return {(s.x - frame.origin.x) * frame.scale, (s.y - frame.origin.y) * frame.scale,
             (s.z - frame.origin.z) * frame.scale, weight};
+}
+
+/// Whether the lemma holds of a site in the frame: those that the frame was made of are in it.
+[[nodiscard]] inline bool is_in(const Frame& frame, const std::array<double, 4>& site) noexcept {
+    const double farthest = std::max(std::max(std::fabs(site[0]), std::fabs(site[1])),
+                                     std::fabs(site[2]));
+    return farthest <= 1.0 && static_cast<float>(std::fabs(site[3])) <= frame.largest_weight;
 }
 
 /// Whether a site conflicts with cells, as far as their spheres tell.

@@ -67,6 +67,8 @@ template <power::PowerSite3 S>
 class View {
  public:
     explicit View(const S* sites) : sites_(sites) {}
+    /// The same sites, and perhaps more, elsewhere in memory.
+    void move_to(const S* sites) noexcept { sites_ = sites; }
 
     /// From here on vertices are seen from q, and none yet but infinity.
     void look_from(Index q) noexcept {

@@ -1,0 +1,202 @@
+#include "part_of_space.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "../options.hpp"
+#include "../space/build.hpp"
+#include "../space/kernel.hpp"
+#include "../space/nearest_site.hpp"
+#include "../space/order.hpp"
+#include "settling.hpp"
+
+namespace signum::distributed {
+namespace {
+
+using spatial::Four;
+
+std::size_t at(Index i) noexcept {
+    return static_cast<std::size_t>(i);
+}
+
+template <class K>
+class PartOfSpace final : public Settling<K> {
+    using S = typename K::S;
+    using Kernel = spatial::ExactKernel<S>;
+    using typename Settling<K>::HiddenBy;
+
+ public:
+    void each_face(const std::function<void(std::span<const std::int64_t>)>& put) const override {
+        each_cell([&](const Four& v) {
+            const WholeCell<4> ids = {id(v[0]), id(v[1]), id(v[2]), id(v[3])};
+            std::size_t first = 4;
+            for (std::size_t k = 0; k < 4; ++k)
+                if (v[k] >= 0 && (first == 4 || ids[k] < ids[first])) first = k;
+            if (!is_own(v[first])) return;
+            const auto is_less = [&](std::size_t a, std::size_t b) {
+                return static_cast<std::size_t>(ids[a] < ids[b]);
+            };
+            const auto& [a, b, c, d] =
+                spatial::even_orders[is_less(0, 1) | is_less(0, 2) << 1 | is_less(0, 3) << 2 |
+                                     is_less(1, 2) << 3 | is_less(1, 3) << 4 | is_less(2, 3) << 5];
+            put(WholeCell<4>{ids[a], ids[b], ids[c], ids[d]});
+        });
+    }
+    void each_adjacency(const std::function<void(const Adjacency&)>& /*put*/) const override {}
+    void each_star(const std::function<void(std::int64_t, std::span<const std::int64_t>)>& put)
+        const override {
+        // The cells at each own site, one site after the other.
+        std::vector<std::size_t> ends(sites_.size() + 1);
+        const auto each_at_own = [&](const auto& visit) {
+            each_cell([&](const Four& v) {
+                for (const Index each : v)
+                    if (is_own(each)) visit(at(each), v);
+            });
+        };
+        each_at_own([&](std::size_t v, const Four&) { ++ends[v + 1]; });
+        for (std::size_t v = 0; v < sites_.size(); ++v) ends[v + 1] += ends[v];
+        std::vector<Four> cells(ends.back());
+        std::vector<std::size_t> next(ends.begin(), ends.end() - 1);
+        each_at_own([&](std::size_t v, const Four& cell) { cells[next[v]++] = cell; });
+        std::vector<std::int64_t> neighbours;
+        for (std::size_t v = 0; v < sites_.size(); ++v) {
+            if (ends[v] == ends[v + 1]) continue;
+            neighbours.clear();
+            for (std::size_t c = ends[v]; c < ends[v + 1]; ++c)
+                for (const Index each : cells[c])
+                    if (each != static_cast<Index>(v)) neighbours.push_back(id(each));
+            std::ranges::sort(neighbours);
+            const auto same = std::ranges::unique(neighbours);
+            neighbours.erase(same.begin(), same.end());
+            put(id(static_cast<Index>(v)), neighbours);
+        }
+    }
+
+ private:
+    [[nodiscard]] std::int64_t id(Index v) const noexcept { return numbers_.id(v); }
+    [[nodiscard]] bool is_own(Index v) const noexcept { return v >= 0 && is_own_[at(v)] != 0; }
+    [[nodiscard]] Placed placed(Index v) const noexcept {
+        const S& s = sites_[at(v)];
+        if constexpr (requires { s.w; })
+            return {Site3{s.x, s.y, s.z, s.w}, id(v)};
+        else
+            return {s, id(v)};
+    }
+    template <class Visit>
+    void each_cell(const Visit& visit) const {
+        if (!insertion_) return;
+        const spatial::Cells& cells = insertion_->cells();
+        for (Index c = 0; at(c) < cells.size(); ++c)
+            if (!cells.is_free(c)) visit(cells.vertex(c));
+    }
+
+    void build(std::span<const Placed> own, const std::vector<Placed>& others,
+               const std::stop_token& stop) override {
+        std::vector<Placed> all(own.begin(), own.end());
+        all.insert(all.end(), others.begin(), others.end());
+        std::vector<S> given;
+        given.reserve(all.size());
+        for (const Placed& each : all) given.push_back(straight<K>(each));
+        const LargeArray<Index> order = spatial::insertion_order(
+            all.size(), [&](Index i) { return place_of(all[at(i)]); }, 1);
+        spatial::Builder<S> builder(given, order);
+        if (builder.apexes() > 0)
+            throw NoStructure("the sites lie in one plane, or are hidden by one of them");
+        builder.copy_sites();
+        auto [sites, places] = std::move(builder).release_sites();
+        sites_ = std::move(sites);
+        make_room(sites_.size() + sites_.size() / 16 + 1000);
+        for (const Index place : places) {
+            numbers_.push_back(all[at(place)].id);
+            is_own_.push_back(static_cast<char>(at(place) < own.size()));
+        }
+        numbers_.settle();
+        kernel_.emplace(std::span<const S>(sites_), numbers_.all());
+        insertion_.emplace(*kernel_, spatial::frame_of(std::span<const S>(sites_)),
+                           sites_.capacity());
+        insert_from(4, stop);
+    }
+    void insert(const std::vector<Placed>& others) override {
+        const auto before = static_cast<Index>(sites_.size());
+        if (sites_.size() + others.size() > sites_.capacity()) {
+            make_room((sites_.size() + others.size()) * 3 / 2);
+            insertion_->expect(sites_.capacity());
+        }
+        for (const Placed& each : others) {
+            sites_.push_back(straight<K>(each));
+            numbers_.push_back(each.id);
+            is_own_.push_back(0);
+        }
+        numbers_.settle();
+        kernel_->extend(std::span<const S>(sites_), numbers_.all());
+        insert_from(before, {});
+    }
+    void insert_from(Index first, const std::stop_token& stop) {
+        for (Index q = first; at(q) < sites_.size(); ++q) {
+            constexpr Index often = 4096;
+            if (q % often == 0 && stop.stop_requested()) throw Stopped();
+            insertion_->insert(q, [&](Index v, Index near) { hidden_.push_back({v, near}); });
+        }
+    }
+    void make_room(std::size_t sites) {
+        sites_.reserve(sites);
+        numbers_.reserve(sites);
+        is_own_.reserve(sites);
+    }
+
+    void ask(std::vector<Questions>& questions) override {
+        if (this->unknown().empty()) return;
+        each_cell([&](const Four& v) {
+            const auto& [a, b, c, d] = v;
+            if (std::max({a, b, c, d}) < asked_of_ || std::min({a, b, c, d}) < 0) return;
+            if (!is_own(a) && !is_own(b) && !is_own(c) && !is_own(d)) return;
+            const Corners cell = {placed(a), placed(b), placed(c), placed(d)};
+            if (this->may_be_reached(cell)) this->ask_about_face(cell, questions);
+        });
+        asked_of_ = static_cast<Index>(sites_.size());
+    }
+    [[nodiscard]] std::vector<HiddenBy> hidden_by_known() override {
+        std::vector<HiddenBy> result;
+        if (hidden_.empty()) return result;
+        // Who is near may be hidden later: then who is near to that one.
+        constexpr Index is_visible = -1;
+        std::vector<Index> near_to(sites_.size(), is_visible);
+        for (auto last = hidden_.rbegin(); last != hidden_.rend(); ++last) {
+            const Index of_near = near_to[at(last->near)];
+            near_to[at(last->site)] = of_near == is_visible ? last->near : of_near;
+        }
+        LargeArray<Index> visible;
+        for (Index v = 0; at(v) < sites_.size(); ++v)
+            if (near_to[at(v)] == is_visible) visible.push_back(v);
+        const spatial::NearestSite<S> nearest(sites_, numbers_.all(), std::move(visible));
+        for (const spatial::HiddenNear& each : hidden_)
+            if (is_own(each.site))
+                result.push_back({placed(each.site),
+                                  placed(nearest(centre3(sites_[at(each.site)]),
+                                                 near_to[at(each.site)]))});
+        return result;
+    }
+
+    LargeArray<S> sites_;
+    Numbers numbers_;
+    std::vector<char> is_own_;
+    std::optional<Kernel> kernel_;
+    std::optional<spatial::Insertion<Kernel>> insertion_;
+    std::vector<spatial::HiddenNear> hidden_;
+    Index asked_of_ = 0;  ///< sites that were there when cells were last asked about
+};
+
+}  // namespace
+
+std::unique_ptr<Part> make_part_of_space(const Kind& kind) {
+    return with_kind(kind, []<class K>() -> std::unique_ptr<Part> {
+        if constexpr (K::dimension == 3)
+            return std::make_unique<PartOfSpace<K>>();
+        else
+            return nullptr;
+    });
+}
+
+}  // namespace signum::distributed
