@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "../mpi/triangulate.hpp"
@@ -31,9 +32,9 @@ int main(int count, char** words) {
 
     // Each site is somebody's, with all its neighbours in the whole.
     long long own_neighbours = 0;
-    for (const auto& [site, first, last] : built.stars)
-        for (std::size_t k = first; k < last; ++k)
-            own_neighbours += built.neighbours[k] >= 0 ? 1 : 0;
+    built.part->each_star([&](std::int64_t, std::span<const std::int64_t> neighbours) {
+        for (const std::int64_t each : neighbours) own_neighbours += each >= 0 ? 1 : 0;
+    });
     long long all = 0;
     MPI_Reduce(&own_neighbours, &all, 1, MPI_LONG_LONG, MPI_SUM, 0, MPI_COMM_WORLD);
     if (rank == 0)

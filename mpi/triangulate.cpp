@@ -91,27 +91,36 @@ double processor_seconds() noexcept {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Of faces or cells, so many numbers each.
+/// What begins with a site, evenly over the ranks, by a sample of the cells.
 template <std::size_t corners>
-std::vector<WholeCell<corners>> cells_of(const std::vector<std::int64_t>& numbers) {
-    std::vector<WholeCell<corners>> cells(numbers.size() / corners);
-    for (std::size_t c = 0; c < cells.size(); ++c)
-        std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(corners * c), corners,
-                    cells[c].begin());
-    return cells;
+Stretches stretches_of(Communicator& ranks, std::span<const WholeCell<corners>> cells,
+                       std::int64_t sites) {
+    constexpr std::size_t wanted = 256;
+    std::vector<std::int64_t> sample;
+    for (std::size_t k = 0; k < wanted && !cells.empty(); ++k)
+        sample.push_back(cells[mix(k) % cells.size()][0]);
+    return {sites, ranks.all_of<std::int64_t>(sample), ranks.size()};
 }
 
 template <std::size_t corners>
 Stretch stretch_of(RankTessellation& tessellation, Communicator& ranks) {
-    // Faces, edges and hidden sites go to ranks by their first sites.
-    const Stretches stretches(tessellation.whole, ranks.size());
-    const std::int64_t first = stretches.begin(ranks.rank());
-    const std::int64_t last = stretches.begin(ranks.rank() + 1);
-
     Stretch stretch;
     stretch.corners = corners;
-    std::vector<WholeCell<corners>> cells = cells_of<corners>(tessellation.faces);
-    tessellation.faces = {};
+    std::vector<WholeCell<corners>> cells;
+    std::vector<Adjacency> adjacencies;
+    ranks.together([&] {
+        tessellation.part->each_face([&](std::span<const std::int64_t> sites) {
+            std::ranges::copy(sites, cells.emplace_back().begin());
+        });
+        tessellation.part->each_adjacency(
+            [&](const Adjacency& each) { adjacencies.push_back(each); });
+        stretch.hidden = tessellation.part->hidden();
+        tessellation.part.reset();
+    });
+    // Faces, edges and hidden sites go to ranks by their first sites.
+    const Stretches stretches = stretches_of<corners>(ranks, cells, tessellation.whole);
+    const std::int64_t first = stretches.begin(ranks.rank());
+    const std::int64_t last = stretches.begin(ranks.rank() + 1);
     SortedCells<corners> sorted(
         ranks.dealt(
             cells, [&](const WholeCell<corners>& cell) { return stretches.of(cell[0]); }),
@@ -123,27 +132,77 @@ Stretch stretch_of(RankTessellation& tessellation, Communicator& ranks) {
     stretch.first_face = begins[ranks.rank()];
     stretch.faces_of_all = begins.back();
     stretch.hidden = ranks.dealt(
-        tessellation.hidden, [&](const WholeHidden& hidden) { return stretches.of(hidden.site); });
+        stretch.hidden, [&](const WholeHidden& hidden) { return stretches.of(hidden.site); });
     std::ranges::sort(stretch.hidden, {}, &WholeHidden::site);
     stretch.first_hidden = ranks.sum_before(static_cast<std::int64_t>(stretch.hidden.size()));
     stretch.hidden_of_all = ranks.sum(static_cast<std::int64_t>(stretch.hidden.size()));
 
-    // Halves of edges or facets meet where their lesser sites are, and are told to their cells.
-    std::vector<Across> across;
-    {
+    stretch.neighbours.assign(corners * sorted.cells().size(), -1);
+    std::size_t known = 0;
+    const auto tell = [&](std::int64_t place, std::int64_t neighbour) {
+        const auto cell = static_cast<std::size_t>(place / 4 - stretch.first_face);
+        stretch.neighbours[corners * cell + static_cast<std::size_t>(place % 4)] = neighbour;
+        ++known;
+    };
+    std::vector<Half<corners>> waiting;
+    // Cells that begin with the same site come one after the other. What two of them share, in
+    // space, is no other's.
+    if constexpr (corners == 4) {
         std::vector<Half<corners>> halves;
-        halves.reserve(corners * sorted.cells().size());
+        for (std::size_t c = 0, end; c < sorted.cells().size(); c = end) {
+            const std::int64_t site = sorted.cells()[c][0];
+            halves.clear();
+            for (end = c; end < sorted.cells().size() && sorted.cells()[end][0] == site; ++end)
+                for (std::size_t corner = site < 0 ? corners : 1; corner < corners; ++corner)
+                    halves.push_back(half_of(sorted.cells()[end],
+                                             stretch.first_face + static_cast<std::int64_t>(end),
+                                             corner));
+            std::ranges::sort(halves, {}, &Half<corners>::others);
+            for (std::size_t k = 0; k < halves.size(); ++k) {
+                if (k + 1 == halves.size() || halves[k].others != halves[k + 1].others) {
+                    waiting.push_back(halves[k]);
+                    continue;
+                }
+                tell(halves[k].place, halves[k + 1].place / 4);
+                tell(halves[k + 1].place, halves[k].place / 4);
+                ++k;
+            }
+        }
+    }
+    // Other halves of edges or facets meet where their lesser sites are, and are told to their
+    // cells: some of them at a time, for they take more memory than the cells.
+    constexpr std::size_t at_a_time = std::size_t{1} << 22;
+    const auto is_waiting = [](const WholeCell<corners>& cell, std::size_t corner) {
+        return corners == 4 && cell[0] >= 0 && corner > 0;
+    };
+    const std::int64_t times = ranks.most(
+        static_cast<std::int64_t>(corners * sorted.cells().size() / at_a_time + 1));
+    std::vector<Half<corners>> halves;
+    for (std::int64_t time = 0; time < times; ++time) {
+        const auto is_due = [&](const Half<corners>& half) { return half.lesser % times == time; };
         std::int64_t number = stretch.first_face;
-        for (const WholeCell<corners>& cell : sorted.cells())
-            each_half(cell, number++, [&](const Half<corners>& half) { halves.push_back(half); });
+        for (const WholeCell<corners>& cell : sorted.cells()) {
+            for (std::size_t corner = 0; corner < corners; ++corner) {
+                if (is_waiting(cell, corner)) break;
+                const Half<corners> half = half_of(cell, number, corner);
+                if (is_due(half)) halves.push_back(half);
+            }
+            ++number;
+        }
         halves = ranks.dealt(
             halves, [&](const Half<corners>& half) { return stretches.of(half.lesser); });
-        ranks.together([&] { across = joined<corners>(halves, first, last); });
+        std::vector<Across> across;
+        ranks.together([&] {
+            std::ranges::copy_if(waiting, std::back_inserter(halves), is_due);
+            across = joined<corners>(halves, first, last);
+        });
+        halves.clear();
+        across = ranks.dealt(across, [&](const Across& each) {
+            const auto end = std::ranges::upper_bound(begins, each.place / 4);
+            return static_cast<std::size_t>(end - begins.begin()) - 1;
+        });
+        for (const auto& [place, neighbour] : across) tell(place, neighbour);
     }
-    across = ranks.dealt(across, [&](const Across& each) {
-        const auto end = std::ranges::upper_bound(begins, each.place / 4);
-        return static_cast<std::size_t>(end - begins.begin()) - 1;
-    });
     // Of edges that are not alone between their sites, who has the neighbour tells its number.
     struct Numbered {
         WholeFace face;
@@ -153,7 +212,7 @@ Stretch stretch_of(RankTessellation& tessellation, Communicator& ranks) {
     std::vector<Numbered> numbered;
     if constexpr (corners == 3) {
         const std::vector<Adjacency> asked =
-            ranks.dealt(tessellation.adjacencies,
+            ranks.dealt(adjacencies,
                         [&](const Adjacency& each) { return stretches.of(each.neighbour[0]); });
         ranks.together([&] {
             for (const auto& [face, corner, neighbour] : asked)
@@ -165,18 +224,13 @@ Stretch stretch_of(RankTessellation& tessellation, Communicator& ranks) {
                                [&](const Numbered& each) { return stretches.of(each.face[0]); });
     }
     ranks.together([&] {
-        if (across.size() + numbered.size() != corners * sorted.cells().size())
-            throw std::logic_error("the parts of a tessellation do not fit together");
-        stretch.neighbours.resize(corners * sorted.cells().size());
-        const auto neighbour_of = [&](std::size_t cell, std::int64_t corner) -> std::int64_t& {
-            return stretch.neighbours[corners * cell + static_cast<std::size_t>(corner)];
-        };
-        for (const auto& [place, neighbour] : across)
-            neighbour_of(static_cast<std::size_t>(place / 4 - stretch.first_face), place % 4) =
-                neighbour;
         if constexpr (corners == 3)
             for (const auto& [face, corner, neighbour] : numbered)
-                neighbour_of(sorted.place_of(face), corner) = neighbour;
+                tell(4 * (stretch.first_face + static_cast<std::int64_t>(sorted.place_of(face))) +
+                         corner,
+                     neighbour);
+        if (known != stretch.neighbours.size())
+            throw std::logic_error("the parts of a tessellation do not fit together");
     });
     stretch.faces.reserve(corners * sorted.cells().size());
     for (const WholeCell<corners>& cell : sorted.cells())
@@ -212,21 +266,10 @@ RankTessellation triangulate(std::vector<Placed> sites, MPI_Comm comm, const Kin
         return cuts.part_of(place_of(each)) != ranks.rank();
     });
     RanksExchange exchange(ranks, store);
-    const std::unique_ptr<Part> part = make_part(kind);
-    ranks.together([&] {
-        part->settle(store, others, bounds, ranks.rank(), exchange, {});
-        part->each_face([&](std::span<const std::int64_t> face) {
-            result.faces.insert(result.faces.end(), face.begin(), face.end());
-        });
-        part->each_adjacency([&](const Adjacency& each) { result.adjacencies.push_back(each); });
-        result.hidden = part->hidden();
-        part->each_star([&](std::int64_t site, std::span<const std::int64_t> neighbours) {
-            const std::size_t first = result.neighbours.size();
-            result.neighbours.insert(result.neighbours.end(), neighbours.begin(), neighbours.end());
-            result.stars.push_back({site, first, result.neighbours.size()});
-        });
-    });
-    result.cost = {ranks.sent(), part->told().sites, part->told().rounds,
+    result.part = make_part(kind);
+    ranks.together(
+        [&] { result.part->settle(store, others, bounds, ranks.rank(), exchange, {}); });
+    result.cost = {ranks.sent(), result.part->told().sites, result.part->told().rounds,
                    processor_seconds() - start - ranks.seconds()};
     return result;
 }

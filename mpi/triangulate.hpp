@@ -6,7 +6,7 @@
 #include <mpi.h>
 
 #include <cstdint>
-#include <span>
+#include <memory>
 #include <vector>
 
 #include "../triangulation/distributed/part.hpp"
@@ -21,23 +21,11 @@ struct Cost {
     double processor_seconds = 0.0;  ///< of this rank, without what MPI took, waiting most of it
 };
 
-/// Who is around a site.
-struct Star {
-    std::int64_t site;
-    std::size_t first;  ///< of its neighbours in RankTessellation::neighbours
-    std::size_t last;
-};
-
 /// The part of the whole that a rank has.
 struct RankTessellation {
-    std::int64_t whole = 0;                           ///< sites of all ranks
-    std::vector<distributed::Placed> sites;           ///< those that this rank owns now
-    std::vector<Star> stars;                          ///< of each of them that is visible
-    std::vector<std::int64_t> neighbours;  ///< -1 for infinity; in the plane counterclockwise
-    /// Those whose least site is one of them, by three numbers each; in space cells, by four.
-    std::vector<std::int64_t> faces;
-    std::vector<distributed::Adjacency> adjacencies;  ///< of some edges: Part
-    std::vector<distributed::WholeHidden> hidden;     ///< of the sites, those that are
+    std::int64_t whole = 0;                   ///< sites of all ranks
+    std::vector<distributed::Placed> sites;   ///< those that this rank owns now
+    std::unique_ptr<distributed::Part> part;  ///< their neighbours, faces, and who is hidden
     Cost cost;
 };
 
@@ -66,7 +54,7 @@ struct Stretch {
     std::int64_t first_hidden = 0;
     std::vector<distributed::WholeHidden> hidden;
 };
-/// Takes faces, adjacencies and hidden sites. Collective. Precondition: sites are numbered 0 …
+/// Takes the part. Collective. Precondition: sites are numbered 0 …
 /// whole - 1.
 [[nodiscard]] Stretch in_order(RankTessellation& tessellation, MPI_Comm comm,
                                const distributed::Kind& kind);

@@ -89,8 +89,11 @@ inline TessellationArrays arrays_of(const WholeParts& whole, std::int64_t sites,
     const std::vector<WholeFace>& faces = sorted.cells();
     std::vector<Half<3>> halves;
     std::int64_t number = 0;
-    for (const WholeFace& face : faces)
-        each_half(face, number++, [&](const Half<3>& half) { halves.push_back(half); });
+    for (const WholeFace& face : faces) {
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            halves.push_back(half_of(face, number, corner));
+        ++number;
+    }
 
     TessellationArrays arrays;
     arrays.metric = metric;
@@ -118,8 +121,11 @@ inline SpaceTessellation space_of(const WholeParts& whole, std::int64_t sites) {
     const SortedCells<4> sorted(whole.cells, -1, sites);
     std::vector<Half<4>> halves;
     std::int64_t number = 0;
-    for (const WholeCell<4>& cell : sorted.cells())
-        each_half(cell, number++, [&](const Half<4>& half) { halves.push_back(half); });
+    for (const WholeCell<4>& cell : sorted.cells()) {
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            halves.push_back(half_of(cell, number, corner));
+        ++number;
+    }
 
     SpaceTessellation space;
     space.dimension = 3;

@@ -207,23 +207,10 @@ template <class K>
 template <class K>
 class Ball {
  public:
-    explicit Ball(const Corners& face) noexcept {
-        const auto& [a, b, c, d] = face;
-        if constexpr (K::dimension == 3) {
-            const std::array<typename K::S, 4> sites = {straight<K>(a), straight<K>(b),
-                                                        straight<K>(c), straight<K>(d)};
-            ball_ = spatial::ball_of(std::span<const typename K::S>(sites), {0, 1, 2, 3});
-        } else if constexpr (K::is_straight) {
-            ball_ = triangulation::circle_of(straight<K>(a), straight<K>(b), straight<K>(c));
-        } else {
-            const std::array<Site, 3> sites = {in_plane(a), in_plane(b), in_plane(c)};
-            ball_ = triangulation::vertex_of_face<typename K::Metric>(
-                {&sites[0], &sites[1], &sites[2]}, numbered<3>({&a, &b, &c}), WeightIs::radius);
-        }
-    }
+    explicit Ball(const Corners& face) noexcept : ball_(made_of(face)) {}
 
-    /// By how much the sites in the extent are too far away for a conflict, less what rounding may
-    /// have made of it: above 0 where none conflicts.
+    /// By how much the sites in the finite extent are too far away for a conflict, less what
+    /// rounding may have made of it: above 0 where none conflicts.
     [[nodiscard]] double excess(const Extent& extent) const noexcept {
         if constexpr (K::is_straight) {
             triangulation::Box<K::dimension> box;
@@ -245,7 +232,21 @@ class Ball {
     }
 
  private:
-    std::conditional_t<K::is_straight, triangulation::Orthoball<K::dimension>, DiagramVertex> ball_;
+    static auto made_of(const Corners& face) noexcept {
+        const auto& [a, b, c, d] = face;
+        if constexpr (K::dimension == 3) {
+            const std::array<typename K::S, 4> sites = {straight<K>(a), straight<K>(b),
+                                                        straight<K>(c), straight<K>(d)};
+            return spatial::InSphereForm(std::span<const typename K::S>(sites), {0, 1, 2, 3});
+        } else if constexpr (K::is_straight) {
+            return triangulation::circle_of(straight<K>(a), straight<K>(b), straight<K>(c));
+        } else {
+            const std::array<Site, 3> sites = {in_plane(a), in_plane(b), in_plane(c)};
+            return triangulation::vertex_of_face<typename K::Metric>(
+                {&sites[0], &sites[1], &sites[2]}, numbered<3>({&a, &b, &c}), WeightIs::radius);
+        }
+    }
+    decltype(made_of({})) ball_;
 };
 
 /// Where a site has its centre that takes the middle of an edge of i and j and leaves both ends, in

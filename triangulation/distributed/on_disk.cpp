@@ -161,7 +161,7 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
     if (parts == 0 || parts > most_parts)
         throw std::invalid_argument("parts: " + std::to_string(parts) + ", 1 to " +
                                     std::to_string(most_parts) + " are possible");
-    Steps steps(options, 2 * sites.slices + 3 * parts);
+    Steps steps(options, 2 * sites.slices + 2 * parts + std::min(corners * parts, most_parts));
     WholeCounts counts;
 
     // Once through the sites for a sample: all of the first ones, then ever fewer.
@@ -240,9 +240,12 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
     }
 
     // Faces go to files by their first sites.
-    const Stretches stretches(counts.sites, parts);
+    // More of them than parts, for the first ones have more faces: of three sites one is among the
+    // first half nearly always.
+    const std::size_t count = std::min(corners * parts, most_parts);
+    const Stretches stretches(counts.sites, count);
     std::vector<Scratch<WholeCell<corners>>> files;
-    for (std::size_t k = 0; k < parts; ++k) files.emplace_back(options.folder);
+    for (std::size_t k = 0; k < count; ++k) files.emplace_back(options.folder);
     std::mutex one_at_a_time;
     const Workers workers(options.threads, static_cast<std::size_t>(counts.sites));
     workers.each(parts, [&](std::size_t number) {
@@ -267,7 +270,7 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
     });
 
     begin(counts);
-    for (std::size_t k = 0; k < parts; ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
         const SortedCells<corners> sorted(files[k].read(), stretches.begin_of_faces(k),
                                           stretches.begin(k + 1));
         put({sorted.cells().data()->data(), corners * sorted.cells().size()});

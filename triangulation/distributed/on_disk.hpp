@@ -28,7 +28,7 @@ struct SlicedSites {
     return kind.dimension == 3 ? 1200 : 320;
 }
 
-/// Each part has a file open, twice.
+/// Each part has a file open, and there may be as many again.
 inline constexpr std::size_t most_parts = 500;
 
 struct DiskOptions {

@@ -148,13 +148,36 @@ class PartOfSpace final : public Settling<K> {
 
     void ask(std::vector<Questions>& questions) override {
         if (this->unknown().empty()) return;
-        each_cell([&](const Four& v) {
-            const auto& [a, b, c, d] = v;
-            if (std::max({a, b, c, d}) < asked_of_ || std::min({a, b, c, d}) < 0) return;
-            if (!is_own(a) && !is_own(b) && !is_own(c) && !is_own(d)) return;
-            const Corners cell = {placed(a), placed(b), placed(c), placed(d)};
-            if (this->may_be_reached(cell)) this->ask_about_face(cell, questions);
-        });
+        const spatial::Cells& cells = insertion_->cells();
+        const auto is_new = [&](const Four& v) {
+            return v[0] != spatial::Cells::free &&
+                   std::max({v[0], v[1], v[2], v[3]}) >= asked_of_ &&
+                   std::min({v[0], v[1], v[2], v[3]}) >= 0;
+        };
+        const auto owns = [&](const Four& v) { return std::ranges::count_if(v, [&](Index each) {
+            return is_own(each);
+        }); };
+        // From the cells that are not of own sites alone to those beside them, as long as they may
+        // be reached (part.hpp). Those that come later are all at sites of others.
+        std::vector<char> is_seen(cells.size());
+        std::vector<Index> waiting;
+        const auto look_at = [&](Index c) {
+            if (is_seen[at(c)] != 0) return;
+            is_seen[at(c)] = 1;
+            const Four& v = cells.vertex(c);
+            if (!is_new(v)) return;
+            const Corners cell = {placed(v[0]), placed(v[1]), placed(v[2]), placed(v[3])};
+            if (!this->may_be_reached(cell)) return;
+            waiting.push_back(c);
+            if (owns(v) > 0) this->ask_about_face(cell, questions);
+        };
+        for (Index c = 0; at(c) < cells.size(); ++c)
+            if (const Four& v = cells.vertex(c); is_new(v) && owns(v) < 4) look_at(c);
+        while (!waiting.empty()) {
+            const Index c = waiting.back();
+            waiting.pop_back();
+            for (const Index n : cells.neighbour(c)) look_at(n);
+        }
         asked_of_ = static_cast<Index>(sites_.size());
     }
     [[nodiscard]] std::vector<HiddenBy> hidden_by_known() override {

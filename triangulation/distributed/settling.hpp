@@ -112,8 +112,7 @@ class Settling : public Part {
     virtual void ask(std::vector<Questions>& questions) = 0;
     [[nodiscard]] virtual std::vector<HiddenBy> hidden_by_known() = 0;
 
-    /// Where sites are that are not known: of each part, beyond the sides of a box. And all that,
-    /// as half-spaces.
+    /// Where sites are that are not known: of each part, beyond the sides of a box.
     [[nodiscard]] const Extent& known() const noexcept { return known_; }
     [[nodiscard]] const std::vector<std::pair<std::size_t, Extent>>& unknown() const noexcept {
         return unknown_;
@@ -139,7 +138,7 @@ class Settling : public Part {
 
  private:
     /// So many times how far own sites are apart are looked beyond the own box.
-    static constexpr double looked_beyond = K::dimension == 3 ? 2.0 : 3.0;
+    static constexpr double looked_beyond = K::dimension == 3 ? 2.5 : 3.0;
 
     static bool are_some(const std::vector<Questions>& questions) noexcept {
         return !std::ranges::all_of(questions, &Questions::are_none);
@@ -154,7 +153,6 @@ class Settling : public Part {
             }
             return box;
         };
-        constexpr double far = HUGE_VAL;
         const bool has_own = !own.sites().empty();
         double spacing = own.spacing();
         const Extent most = grown(looked_beyond * spacing);
@@ -164,24 +162,24 @@ class Settling : public Part {
         known_ = grown(looked_beyond * spacing);
 
         unknown_.clear();
-        double greatest = -far;
+        Extent all = no_extent();
         for (std::size_t q = 0; q < parts.size() && has_own; ++q) {
             if (q == number || is_empty(parts[q].extent)) continue;
-            greatest = std::max(greatest, parts[q].extent.high[weight_place]);
-            for (const Extent& beyond : sides_of(known_, far)) {
+            all.include(parts[q].extent);
+            for (const Extent& beyond : sides_of(known_)) {
                 const Extent extent = overlap(parts[q].extent, beyond);
                 if (meet(extent, extent)) unknown_.push_back({q, extent});
             }
         }
         beyond_.clear();
-        if (!unknown_.empty()) beyond_ = sides_of(known_, greatest);
+        for (const Extent& side : sides_of(known_))
+            if (const Extent extent = overlap(all, side); !unknown_.empty() && meet(extent, extent))
+                beyond_.push_back(extent);
     }
     /// The half-spaces beyond the sides of a box, as extents.
-    [[nodiscard]] static std::vector<Extent> sides_of(const Extent& box, double greatest) {
+    [[nodiscard]] static std::vector<Extent> sides_of(const Extent& box) {
         constexpr double far = HUGE_VAL;
-        Extent all = {{-far, -far, -far, -far}, {far, far, far, greatest}};
-        // In the plane z is 0.
-        for (std::size_t axis = K::dimension; axis < axes; ++axis) all.low[axis] = all.high[axis] = 0;
+        const Extent all = {{-far, -far, -far, -far}, {far, far, far, far}};
         std::vector<Extent> sides(2 * K::dimension, all);
         for (std::size_t axis = 0; axis < K::dimension; ++axis) {
             sides[2 * axis].low[axis] = std::nextafter(box.high[axis], far);
@@ -247,7 +245,7 @@ class Settling : public Part {
 
     Extent known_ = no_extent();
     std::vector<std::pair<std::size_t, Extent>> unknown_;
-    std::vector<Extent> beyond_;
+    std::vector<Extent> beyond_;  ///< all of it, side by side
     std::unordered_set<std::int64_t> guests_;
     std::vector<WholeHidden> hidden_;
     Told told_;

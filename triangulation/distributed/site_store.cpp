@@ -16,7 +16,7 @@ namespace signum::distributed {
 namespace {
 
 /// So many sites that follow one another have a box together, a block: a leaf of the tree.
-constexpr std::size_t together = 64;
+constexpr std::size_t together = 16;
 /// So many sites at most are told of one face: it goes with the first of them, and what comes in
 /// its place is asked about anew.
 constexpr std::size_t most = 4;
@@ -88,18 +88,42 @@ class Answering {
 
     void conflicting(const Corners& face, std::vector<Placed>& found) const {
         const Ball<K> ball(face);
+        const std::size_t before = found.size();
+        const auto take = [&](const Placed& site) {
+            if (std::ranges::find(face, site.id, &Placed::id) != face.end()) return true;
+            if (!conflicts<K>(face, site)) return true;
+            found.push_back(site);
+            return found.size() < before + most;
+        };
+        // Mostly none is near enough, though many boxes are: at the border of all sites balls are
+        // large, and nearly empty. The first ones that are, as they come.
+        constexpr std::size_t few = 64;
+        std::array<std::pair<double, const Placed*>, few> near;
+        std::size_t count = 0;
+        const auto never = [](const auto&, const auto&) { return false; };
+        const bool are_few = tree_.visit(
+            [&](const Extent& box) { return ball.may_be_reached_from(box); }, never,
+            [&](const auto& node) {
+                for (const Placed& site : block_of(sites_, node.first)) {
+                    const double excess = ball.excess(extent_of<K>(site));
+                    if (excess > 0.0) continue;
+                    if (count == few) return false;
+                    near[count++] = {std::isnan(excess) ? -HUGE_VAL : excess, &site};
+                }
+                return true;
+            });
+        if (are_few) {
+            std::ranges::sort(std::span(near).first(count), {},
+                              [](const auto& each) { return each.first; });
+            for (std::size_t k = 0; k < count && take(*near[k].second); ++k) continue;
+            return;
+        }
         Nearest nearest(tree_, sites_, [&](const Extent& extent) -> std::optional<double> {
             const double excess = ball.excess(extent);
             if (excess > 0.0) return std::nullopt;
             return excess;
         });
-        const std::size_t before = found.size();
-        nearest.visit(extent_of<K>, [&](const Placed& site) {
-            if (std::ranges::find(face, site.id, &Placed::id) != face.end()) return true;
-            if (!conflicts<K>(face, site)) return true;
-            found.push_back(site);
-            return found.size() < before + most;
-        });
+        nearest.visit(extent_of<K>, take);
     }
 
     void in_the_middle(const EdgeQuestion& edge, std::vector<Placed>& found) const {

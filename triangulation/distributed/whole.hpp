@@ -11,20 +11,33 @@
 
 namespace signum::distributed {
 
-/// Stretches of site numbers, as even as can be: what begins with a site goes to who has it.
+/// Stretches of site numbers: what begins with a site goes to who has it.
 class Stretches {
  public:
-    Stretches(std::int64_t sites, std::size_t count) noexcept : sites_(sites), count_(count) {}
+    /// As even as can be.
+    Stretches(std::int64_t sites, std::size_t count) {
+        for (std::size_t k = 0; k <= count; ++k)
+            begins_.push_back(static_cast<std::int64_t>(static_cast<unsigned __int128>(sites) * k /
+                                                        count));
+    }
+    /// Each with about as many of a sample: one of what will be dealt to them.
+    Stretches(std::int64_t sites, std::vector<std::int64_t> sample, std::size_t count)
+        : begins_(1, 0) {
+        std::ranges::sort(sample);
+        for (std::size_t k = 1; k < count; ++k)
+            begins_.push_back(sample.empty() ? 0 : std::max(sample[sample.size() * k / count],
+                                                            std::int64_t{0}));
+        begins_.push_back(sites);
+    }
     /// That of a site; of infinity the first.
     [[nodiscard]] std::size_t of(std::int64_t site) const noexcept {
         if (site < 0) return 0;
-        return static_cast<std::size_t>(static_cast<unsigned __int128>(site) * count_ /
-                                        static_cast<unsigned __int128>(sites_));
+        const auto after = std::ranges::upper_bound(begins_, site);
+        return static_cast<std::size_t>(after - begins_.begin()) - 1;
     }
     /// Where one begins, and the one before it ends.
     [[nodiscard]] std::int64_t begin(std::size_t stretch) const noexcept {
-        return static_cast<std::int64_t>(
-            (static_cast<unsigned __int128>(sites_) * stretch + count_ - 1) / count_);
+        return begins_[stretch];
     }
     /// The same of faces, of which those at infinity come before all.
     [[nodiscard]] std::int64_t begin_of_faces(std::size_t stretch) const noexcept {
@@ -32,8 +45,7 @@ class Stretches {
     }
 
  private:
-    std::int64_t sites_;
-    std::size_t count_;
+    std::vector<std::int64_t> begins_;
 };
 
 /// An edge as one of its faces has it, or a facet as one of its cells has.
@@ -44,22 +56,28 @@ struct Half {
     std::int64_t place;                            ///< as Across has it
 };
 
-/// All halves of a face or cell.
-template <std::size_t corners, class Put>
-void each_half(const WholeCell<corners>& cell, std::int64_t number, const Put& put) {
-    for (std::size_t corner = 0; corner < corners; ++corner) {
-        std::array<std::int64_t, corners - 1> sites;
-        for (std::size_t k = 0; k + 1 < corners; ++k) sites[k] = cell[(corner + 1 + k) % corners];
-        // Infinity after all others.
-        std::ranges::sort(sites, {}, [](std::int64_t site) {
-            return static_cast<std::uint64_t>(site);
-        });
-        Half<corners> half;
-        half.lesser = sites[0];
-        std::copy(sites.begin() + 1, sites.end(), half.others.begin());
-        half.place = 4 * number + static_cast<std::int64_t>(corner);
-        put(half);
+/// The half of a face or cell across from a corner.
+template <std::size_t corners>
+[[nodiscard]] Half<corners> half_of(const WholeCell<corners>& cell, std::int64_t number,
+                                    std::size_t corner) noexcept {
+    // Infinity, as a number without a sign, after all others.
+    std::array<std::uint64_t, corners - 1> sites;
+    for (std::size_t k = 0; k + 1 < corners; ++k)
+        sites[k] = static_cast<std::uint64_t>(cell[k < corner ? k : k + 1]);
+    const auto put_in_order = [&](std::size_t k) {
+        if (sites[k + 1] < sites[k]) std::swap(sites[k], sites[k + 1]);
+    };
+    put_in_order(0);
+    if constexpr (corners == 4) {
+        put_in_order(1);
+        put_in_order(0);
     }
+    Half<corners> half;
+    half.lesser = static_cast<std::int64_t>(sites[0]);
+    for (std::size_t k = 0; k + 2 < corners; ++k)
+        half.others[k] = static_cast<std::int64_t>(sites[k + 1]);
+    half.place = 4 * number + static_cast<std::int64_t>(corner);
+    return half;
 }
 
 /// The face or cell across from a corner.
