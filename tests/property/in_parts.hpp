@@ -118,26 +118,7 @@ inline TessellationArrays arrays_of(const WholeParts& whole, std::int64_t sites,
 
 /// The same of space.
 inline SpaceTessellation space_of(const WholeParts& whole, std::int64_t sites) {
-    const SortedCells<4> sorted(whole.cells, -1, sites);
-    std::vector<Half<4>> halves;
-    std::int64_t number = 0;
-    for (const WholeCell<4>& cell : sorted.cells()) {
-        for (std::size_t corner = 0; corner < 4; ++corner)
-            halves.push_back(half_of(cell, number, corner));
-        ++number;
-    }
-
-    SpaceTessellation space;
-    space.dimension = 3;
-    space.sites = sites;
-    for (const auto& [a, b, c, d] : sorted.cells())
-        space.cells.push_back({static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c),
-                               static_cast<Index>(d)});
-    space.neighbours.assign(space.cells.size(), {-1, -1, -1, -1});
-    for (const auto& [place, neighbour] : joined<4>(halves, 0, sites))
-        space
-            .neighbours[static_cast<std::size_t>(place / 4)][static_cast<std::size_t>(place % 4)] =
-            static_cast<Index>(neighbour);
+    SpaceTessellation space = space_of(SortedCells<4>(whole.cells, -1, sites), sites);
     for (const auto& [site, by] : whole.hidden)
         space.hidden.push_back({static_cast<Index>(site), static_cast<Index>(by)});
     std::ranges::sort(space.hidden, {}, &Hidden::site);

@@ -235,8 +235,7 @@ void run(VoronoiCall& call) {
                             [&](std::string_view format) { return is_written(targets, format); });
     if (is_used) require_fit(box, diagram);
     const double longer = std::max(box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2);
-    const double tolerance = call.tolerance.value_or(
-        std::max(longer / 5'000, std::numeric_limits<double>::denorm_min()));
+    const double tolerance = call.tolerance.value_or(default_tolerance(box));
     if (tolerance < longer * 2e-9) {
         throw CallError(
             fmt::format("--tolerance {}: below a billionth of the box's longer side polygons would "

@@ -120,6 +120,26 @@ void write_vtu(std::ostream& out, const VtkGrid& grid) {
     put_foot(text, "UnstructuredGrid");
 }
 
+void write_pvtu(std::ostream& out, const VtkGrid& one, std::span<const std::string> pieces) {
+    TextWriter text(out);
+    put_head(text, one, "PUnstructuredGrid");
+    const auto put_columns_of = [&](std::string_view of, std::span<const VtkColumn> columns) {
+        text.put(FMT_COMPILE("<{}>\n"), of);
+        for (const VtkColumn& column : columns)
+            text.put(FMT_COMPILE("<PDataArray type=\"{}\" Name=\"{}\"/>\n"),
+                     column.is_whole ? "Int32" : "Float64", column.name);
+        text.put(FMT_COMPILE("</{}>\n"), of);
+    };
+    put_columns_of("PPointData", one.of_points);
+    put_columns_of("PCellData", one.of_cells);
+    text.put(
+        "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" "
+        "NumberOfComponents=\"3\"/>\n</PPoints>\n");
+    for (const std::string& piece : pieces) text.put(FMT_COMPILE("<Piece Source=\"{}\"/>\n"), piece);
+    text.put("</PUnstructuredGrid>\n</VTKFile>\n");
+    text.flush();
+}
+
 void write_vtp(std::ostream& out, const VtkGrid& grid) {
     const auto count = [&](VtkCell last) {
         return static_cast<std::size_t>(std::ranges::upper_bound(grid.kinds, last) -

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,6 +60,8 @@ struct VtkGrid {
 void write_vtk(std::ostream& out, const VtkGrid& grid);
 /// XML, .vtu: an unstructured grid.
 void write_vtu(std::ostream& out, const VtkGrid& grid);
+/// XML, .pvtu: several such grids, in files beside it, of which `one` is the like.
+void write_pvtu(std::ostream& out, const VtkGrid& one, std::span<const std::string> pieces);
 /// XML, .vtp: vertices, lines and polygons. Precondition: the cells are no others, and come in that
 /// order, triangles among the polygons.
 void write_vtp(std::ostream& out, const VtkGrid& grid);

@@ -125,19 +125,20 @@ void write_space_cells_json(std::ostream& out, const SpaceCells& cells,
     text.flush();
 }
 
-void write_space_cells_csv(std::ostream& out, const SpaceCells& cells) {
+void write_space_cells_csv(std::ostream& out, const SpaceCells& cells, const SiteNames& names) {
     TextWriter text(out);
     text.put("site,volume,area,centroid_x,centroid_y,centroid_z,faces,neighbours,face_areas\n");
-    for (std::size_t i = 0; i < cells.measures.size(); ++i) {
-        const auto& [volume, area, centroid] = cells.measures[i];
-        const auto faces = cells.faces_of(static_cast<Index>(i));
-        std::vector<Index> beyond;
+    for (Index i = 0; i < static_cast<Index>(cells.measures.size()); ++i) {
+        if (!names.is_written(i)) continue;
+        const auto& [volume, area, centroid] = cells.measures[static_cast<std::size_t>(i)];
+        const auto faces = cells.faces_of(i);
+        std::vector<std::int64_t> beyond;
         std::vector<std::string> areas;
         for (const SpaceFace& face : faces) {
-            beyond.push_back(face.beyond);
+            beyond.push_back(names.number(face.beyond));
             areas.push_back(number_or_blank(face.area));
         }
-        text.put(FMT_COMPILE("{},{},{},{},{},{},{},{},{}\n"), i, number_or_blank(volume),
+        text.put(FMT_COMPILE("{},{},{},{},{},{},{},{},{}\n"), names.number(i), number_or_blank(volume),
                  number_or_blank(area), number_or_blank(centroid.x), number_or_blank(centroid.y),
                  number_or_blank(centroid.z), faces.size(), fmt::join(beyond, " "),
                  fmt::join(areas, " "));
@@ -145,7 +146,8 @@ void write_space_cells_csv(std::ostream& out, const SpaceCells& cells) {
     text.flush();
 }
 
-VtkGrid vtk_grid(const SpaceCells& cells, std::span<const SpacePolyhedron> polyhedra) {
+VtkGrid vtk_grid(const SpaceCells& cells, std::span<const SpacePolyhedron> polyhedra,
+                 const SiteNames& names) {
     VtkGrid grid;
     grid.title = "signum: power cells";
     grid.of_cells = {{"site", true, {}}, {"volume", false, {}}, {"faces", true, {}}};
@@ -164,7 +166,7 @@ VtkGrid vtk_grid(const SpaceCells& cells, std::span<const SpacePolyhedron> polyh
         }
         grid.face_ends.push_back(static_cast<std::int64_t>(grid.faces.size()));
         const double volume = cells.measures.at(static_cast<std::size_t>(each.site)).volume;
-        grid.of_cells[0].values.push_back(each.site);
+        grid.of_cells[0].values.push_back(static_cast<double>(names.number(each.site)));
         grid.of_cells[1].values.push_back(volume);
         grid.of_cells[2].values.push_back(static_cast<double>(each.beyond.size()));
     }

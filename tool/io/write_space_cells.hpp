@@ -13,6 +13,7 @@
 #include "../../voronoi/balls/diagram.hpp"
 #include "../../voronoi/space/cells.hpp"
 #include "../../voronoi/space/polyhedra.hpp"
+#include "site_names.hpp"
 #include "vtk_grid.hpp"
 
 namespace signum {
@@ -29,11 +30,13 @@ void write_space_cells_json(std::ostream& out, const SpaceCells& cells,
 /// One site a line, hidden ones included: volume and area of its cell, the centroid, how many faces
 /// there are, the sites beyond these (the sides of the box from -1 to -6) and their areas, each
 /// list in one column.
-void write_space_cells_csv(std::ostream& out, const SpaceCells& cells);
+void write_space_cells_csv(std::ostream& out, const SpaceCells& cells,
+                           const SiteNames& names = {});
 
 /// The polyhedra that have corners, with site, volume and number of faces of each. `cells` are
 /// those of the same sites in the same box.
-[[nodiscard]] VtkGrid vtk_grid(const SpaceCells& cells, std::span<const SpacePolyhedron> polyhedra);
+[[nodiscard]] VtkGrid vtk_grid(const SpaceCells& cells, std::span<const SpacePolyhedron> polyhedra,
+                               const SiteNames& names = {});
 
 /// Everything. The spheres of "vertices" are [x, y, z, r], "touching" has the balls that touch each
 /// and "turns" how the points of contact turn. An edge has the balls that touch along it and its

@@ -248,7 +248,7 @@ void write_voronoi_geojson(std::ostream& out, const ClippedVoronoi& diagram, con
 }
 
 void write_voronoi_csv(std::ostream& out, const ClippedVoronoi& diagram, double tolerance,
-                       std::span<const Attribute> attributes) {
+                       std::span<const Attribute> attributes, const SiteNames& names) {
     const Voronoi& voronoi = diagram.voronoi();
     const std::vector<std::string> own = {
         "site",       "x",
@@ -264,16 +264,20 @@ void write_voronoi_csv(std::ostream& out, const ClippedVoronoi& diagram, double 
     for (const std::string& name : names_beside(taken, attributes))
         text.put(FMT_COMPILE(",{}"), csv_value(name));
     text.put(",WKT\n");
-    const std::vector<Index> visible = visible_sites(voronoi);
+    std::vector<Index> visible = visible_sites(voronoi);
+    std::erase_if(visible, [&](Index site) { return !names.is_written(site); });
     text.put_entries(visible.size(), [&](TextWriter& piece, std::size_t number) {
         const Index site = visible[number];
         const CellShape shape = diagram.cell(site);
         const Measure of = measure(shape);
         const Site& at = site_of(voronoi, site);
-        piece.put(FMT_COMPILE("{},{},{},{},{},{},{},{},{},{},{}"), site, at.x, at.y, at.r,
+        std::vector<std::int64_t> neighbours;
+        for (const Index each : neighbours_of(voronoi, site))
+            neighbours.push_back(names.number(each));
+        piece.put(FMT_COMPILE("{},{},{},{},{},{},{},{},{},{},{}"), names.number(site), at.x, at.y, at.r,
                   shape.unbounded, shape.clipped, number_or_blank(of.area),
                   number_or_blank(of.perimeter), number_or_blank(of.centroid.x),
-                  number_or_blank(of.centroid.y), fmt::join(neighbours_of(voronoi, site), " "));
+                  number_or_blank(of.centroid.y), fmt::join(neighbours, " "));
         for (const Attribute& attribute : attributes)
             piece.put(FMT_COMPILE(",{}"),
                       csv_value(attribute.values.at(static_cast<std::size_t>(site))));
@@ -292,7 +296,7 @@ void write_voronoi_wkt(std::ostream& out, const ClippedVoronoi& diagram, double 
     text.flush();
 }
 
-VtkGrid vtk_grid(const ClippedVoronoi& diagram, double tolerance) {
+VtkGrid vtk_grid(const ClippedVoronoi& diagram, double tolerance, const SiteNames& names) {
     const Voronoi& voronoi = diagram.voronoi();
     const Tessellation& tessellation = voronoi.tessellation();
     VtkGrid grid;
@@ -301,6 +305,7 @@ VtkGrid vtk_grid(const ClippedVoronoi& diagram, double tolerance) {
                      {std::string(name_of(tessellation.weight_is())), false, {}},
                      {"area", false, {}}};
     for (const Index site : visible_sites(voronoi)) {
+        if (!names.is_written(site)) continue;
         const CellShape shape = diagram.cell(site);
         const double area = measure(shape).area;
         for (const auto& polygon : polygons(shape, tolerance)) {
@@ -309,7 +314,7 @@ VtkGrid vtk_grid(const ClippedVoronoi& diagram, double tolerance) {
                       static_cast<std::int64_t>(grid.points.size()));
             for (const Point& p : polygon) grid.points.push_back({p.x, p.y, 0.0});
             grid.add_cell(VtkCell::polygon, corners);
-            grid.of_cells[0].values.push_back(site);
+            grid.of_cells[0].values.push_back(static_cast<double>(names.number(site)));
             grid.of_cells[1].values.push_back(site_of(voronoi, site).r);
             grid.of_cells[2].values.push_back(area);
         }

@@ -6,11 +6,14 @@
 ///  2. Numbers are written so that reading them gives the same double; infinite areas and the like
 ///     are null in JSON and empty in a table.
 
+#include <algorithm>
+#include <limits>
 #include <ostream>
 #include <span>
 
 #include "../../voronoi/clip.hpp"
 #include "attributes.hpp"
+#include "site_names.hpp"
 #include "vtk_grid.hpp"
 
 namespace signum {
@@ -27,9 +30,16 @@ void write_voronoi_json(std::ostream& out, const ClippedVoronoi& diagram, const 
 void write_voronoi_geojson(std::ostream& out, const ClippedVoronoi& diagram, const Box& box,
                            double tolerance, std::span<const Attribute> attributes = {});
 
+/// How far polygons may be from arcs where nobody says it: a ten-thousandth of the box.
+[[nodiscard]] inline double default_tolerance(const Box& box) noexcept {
+    const double longer = std::max(box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2);
+    return std::max(longer / 5'000, std::numeric_limits<double>::denorm_min());
+}
+
 /// One cell a line, with measures, the site's attributes and the polygon as well-known text.
 void write_voronoi_csv(std::ostream& out, const ClippedVoronoi& diagram, double tolerance,
-                       std::span<const Attribute> attributes = {});
+                       std::span<const Attribute> attributes = {},
+                       const SiteNames& names = {});
 
 /// One site a line, its cell in the box as well-known text: POLYGON, MULTIPOLYGON, or POLYGON EMPTY
 /// where it is hidden or does not reach into the box.
@@ -37,6 +47,7 @@ void write_voronoi_wkt(std::ostream& out, const ClippedVoronoi& diagram, double 
 
 /// The cells in the box as polygons at z = 0, with site, radius or weight, and area of the cell; of
 /// one that the box cuts into pieces several.
-[[nodiscard]] VtkGrid vtk_grid(const ClippedVoronoi& diagram, double tolerance);
+[[nodiscard]] VtkGrid vtk_grid(const ClippedVoronoi& diagram, double tolerance,
+                               const SiteNames& names = {});
 
 }  // namespace signum

@@ -2,6 +2,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <exception>
@@ -15,7 +16,9 @@
 #include "../../mpi/triangulate.hpp"
 #include "../../triangulation/metric.hpp"
 #include "../io/errors.hpp"
+#include "cells.hpp"
 #include "outputs.hpp"
+#include "shared_file.hpp"
 #include "slices.hpp"
 
 #ifdef __GLIBC__
@@ -51,8 +54,8 @@ Metric metric_of(const Call& call) {
     return *metric;
 }
 
-/// One line: what was built, and what the ranks told one another.
-void summarize(Communicator& ranks, const Stretch& stretch, const RankTessellation& built,
+/// What was built, and what the ranks told one another.
+void summarize(Communicator& ranks, const std::string& result, const RankTessellation& built,
                double seconds, const Call& call) {
     const auto owned = static_cast<std::int64_t>(built.sites.size());
     const std::int64_t most_owned = ranks.most(owned);
@@ -64,18 +67,18 @@ void summarize(Communicator& ranks, const Stretch& stretch, const RankTessellati
         ranks.most(static_cast<std::int64_t>(1e6 * built.cost.processor_seconds));
     if (ranks.rank() != 0 || call.is_quiet) return;
     fmt::print(stderr,
-               "{} sites, {} hidden, {} {}, {} metric; {} rank{}, {:.3g} s\n"
+               "{} sites, {}, {} metric; {} rank{}, {:.3g} s\n"
                "sites a rank: {} at most; told of others: {} in {} rounds; sent: {:.1f} MB; "
                "processor: {:.3g} s, busiest rank {:.3g} s\n",
-               built.whole, stretch.hidden_of_all, stretch.faces_of_all,
-               call.dimension == 3 ? "cells" : "faces", name_of(metric_of(call)), ranks.size(),
+               built.whole, result, name_of(metric_of(call)), ranks.size(),
                ranks.size() == 1 ? "" : "s", seconds, most_owned, told, built.cost.rounds,
                static_cast<double>(sent) / 1e6, static_cast<double>(all) / 1e6,
                static_cast<double>(busiest) / 1e6);
 }
 
-void triangulate(Communicator& ranks, const Call& call) {
-    const double start = MPI_Wtime();
+/// Sites, and of what kind they are.
+std::pair<std::vector<distributed::Placed>, distributed::Kind> read(Communicator& ranks,
+                                                                    const Call& call) {
     const std::string& radii = call.weights.empty() ? call.radii : call.weights;
     Slices slices;
     ranks.together([&] { slices = read_slices(ranks, call.sites, call.dimension, radii); });
@@ -84,21 +87,57 @@ void triangulate(Communicator& ranks, const Call& call) {
     if (ranks.rank() == 0 && !call.is_quiet && has_radii && radii.empty())
         fmt::print(stderr, "{}: the last column is taken for {}\n", call.sites,
                    are_weights ? "weights" : "radii");
-    const distributed::Kind kind = {metric_of(call),
-                                    are_weights ? WeightIs::weight : WeightIs::radius,
-                                    static_cast<std::size_t>(call.dimension)};
+    return {std::move(slices.sites),
+            {metric_of(call), are_weights ? WeightIs::weight : WeightIs::radius,
+             static_cast<std::size_t>(call.dimension)}};
+}
+
+bool asks_for(const Call& call, std::string_view ending) {
+    return std::ranges::any_of(call.outputs, [&](const std::string& output) {
+        return output.ends_with(ending);
+    });
+}
+
+void triangulate(Communicator& ranks, const Call& call) {
+    const double start = MPI_Wtime();
+    const auto [sites, kind] = read(ranks, call);
     RankTessellation built;
     Stretch stretch;
+    VtkGrid piece;
     ranks.together([&] {
-        built = mpi::triangulate(slices.sites, ranks.get(), kind);
+        built = mpi::triangulate(sites, ranks.get(), kind);
+        if (asks_for(call, ".pvtu") && !built.sites.empty())
+            piece = grid_of_faces(built.part->known(), kind);
         stretch = in_order(built, ranks.get(), kind);
     });
     for (const std::string& output : call.outputs)
         ranks.together([&] {
             write(ranks, output,
-                  {slices.sites, built.whole, stretch, kind.metric, kind.weight_is});
+                  {sites, built.whole, stretch, kind.metric, kind.weight_is, piece});
         });
-    summarize(ranks, stretch, built, MPI_Wtime() - start, call);
+    summarize(ranks,
+              fmt::format("{} hidden, {} {}", stretch.hidden_of_all, stretch.faces_of_all,
+                          call.dimension == 3 ? "cells" : "faces"),
+              built, MPI_Wtime() - start, call);
+}
+
+void voronoi(Communicator& ranks, const Call& call) {
+    const double start = MPI_Wtime();
+    const auto [sites, kind] = read(ranks, call);
+    ranks.together([&, &sites = sites, &kind = kind] {
+        const RankTessellation built = mpi::triangulate(sites, ranks.get(), kind);
+        const RankCells cells(ranks, built, kind, asks_for(call, ".csv"), asks_for(call, ".pvtu"));
+        for (const std::string& output : call.outputs)
+            ranks.together([&] {
+                if (output.ends_with(".csv"))
+                    cells.write_table(ranks, output);
+                else
+                    complete(ranks, output, [&] { write_pieces(ranks, output, cells.grid()); });
+            });
+        const std::int64_t hidden = ranks.sum(static_cast<std::int64_t>(built.part->hidden().size()));
+        summarize(ranks, fmt::format("{} cells", built.whole - hidden), built, MPI_Wtime() - start,
+                  call);
+    });
 }
 
 /// How a rank has ended.
@@ -122,37 +161,58 @@ End run(Communicator& ranks, int count, char** words) {
     tool.require_subcommand(1);
     tool.set_version_flag("--version", SIGNUM_VERSION);
     Call call;
-    CLI::App* const command = tool.add_subcommand(
-        "triangulate",
-        "Faces of all sites, in space cells, from text (x y [r], x y z [r]), .npy, .f64 or\n"
-        "FILE.h5:/path");
-    command->add_option("SITES", call.sites, "FILE, or FILE.h5:/path/to/coordinates")->required();
-    command->add_option("-m,--metric", call.metric,
-                        "power, euclidean (without a word), manhattan or supremum; in space power");
-    command->add_option("--dimension", call.dimension, "2, or 3 of sites in space: x y z [r]")
-        ->capture_default_str()
-        ->check(CLI::IsMember({2, 3}));
-    command->add_option("--radii", call.radii, "Where in FILE.h5 the radii are");
-    command->add_option("--weights", call.weights, "The same of weights, in the power metric");
-    command->add_flag("--third-is-weight,--last-is-weight", call.last_is_weight,
-                      "The last column is a weight, not a radius");
-    command
-        ->add_option("-o,--output", call.outputs,
-                     "FILE.h5 or .vtkhdf, .npy, .i32, .json; more than once if you like")
-        ->required();
-    command->add_flag("--quiet", call.is_quiet, "No summary on standard error");
+    struct Command {
+        CLI::App* app;
+        std::string endings;  ///< of what is written
+        void (*run)(Communicator&, const Call&);
+    };
+    const std::array<Command, 2> commands = {
+        {{tool.add_subcommand("triangulate",
+                              "Faces of all sites, in space cells, from text (x y [r], x y z [r]), "
+                              ".npy, .f64 or\nFILE.h5:/path"),
+          endings(), triangulate},
+         {tool.add_subcommand("voronoi",
+                              "Cells of all sites in a box around them: areas or volumes, "
+                              "neighbours, polygons or polyhedra"),
+          ".csv, .pvtu", voronoi}}};
+    for (const Command& command : commands) {
+        command.app->add_option("SITES", call.sites, "FILE, or FILE.h5:/path/to/coordinates")
+            ->required();
+        command.app->add_option(
+            "-m,--metric", call.metric,
+            "power, euclidean (without a word), manhattan or supremum; in space power");
+        command.app->add_option("--dimension", call.dimension, "2, or 3 of sites in space: x y z [r]")
+            ->capture_default_str()
+            ->check(CLI::IsMember({2, 3}));
+        command.app->add_option("--radii", call.radii, "Where in FILE.h5 the radii are");
+        command.app->add_option("--weights", call.weights,
+                                "The same of weights, in the power metric");
+        command.app->add_flag("--third-is-weight,--last-is-weight", call.last_is_weight,
+                              "The last column is a weight, not a radius");
+        command.app
+            ->add_option("-o,--output", call.outputs,
+                         fmt::format("FILE that ends in one of {}; more than once if you like",
+                                     command.endings))
+            ->required();
+        command.app->add_flag("--quiet", call.is_quiet, "No summary on standard error");
+    }
     try {
+        const Command* command = nullptr;
         ranks.together([&] {
             tool.parse(count, words);
             static_cast<void>(metric_of(call));
-            for (const std::string& name : call.outputs)
-                if (!can_write(name))
+            command = std::ranges::find_if(
+                commands, [](const Command& each) { return each.app->parsed(); });
+            for (const std::string& name : call.outputs) {
+                const std::size_t dot = name.find_last_of('.');
+                const std::string ending = dot == std::string::npos ? "." : name.substr(dot) + ",";
+                if (fmt::format("{},", command->endings).find(ending) == std::string::npos)
                     throw CLI::ValidationError(
-                        "-o", name +
-                                  " ends as nothing that is written: .h5, .vtkhdf, .npy, .i32, "
-                                  ".json");
+                        "-o", fmt::format("{} ends as nothing that is written: {}", name,
+                                          command->endings));
+            }
         });
-        triangulate(ranks, call);
+        command->run(ranks, call);
         return {};
     } catch (const CLI::ParseError& error) {
         return end_of_parsing(tool, error, ranks.rank() == 0);

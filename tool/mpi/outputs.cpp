@@ -1,12 +1,6 @@
 #include "outputs.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -17,64 +11,15 @@
 #include "../io/array_writer.hpp"
 #include "../io/errors.hpp"
 #include "../io/write_tessellation.hpp"
+#include "cells.hpp"
 #include "hdf5.hpp"
+#include "shared_file.hpp"
 
 namespace signum::mpi {
 namespace {
 
 using distributed::Placed;
 using distributed::WholeHidden;
-
-/// The file beside its place.
-std::string unfinished(const std::string& name) {
-    return name + ".unfinished";
-}
-
-[[noreturn]] void fail(const std::string& name, int error) {
-    throw MachineError(fmt::format("cannot write {}: {}", name, std::strerror(error)));
-}
-
-/// Bytes at places of one file.
-class SharedFile {
- public:
-    SharedFile(Communicator& ranks, const std::string& name) : name_(name) {
-        const int flags = O_WRONLY | O_CLOEXEC;
-        ranks.together([&] {
-            if (ranks.rank() == 0) open(flags | O_CREAT | O_TRUNC);
-        });
-        ranks.together([&] {
-            if (ranks.rank() != 0) open(flags);
-        });
-    }
-    SharedFile(const SharedFile&) = delete;
-    SharedFile& operator=(const SharedFile&) = delete;
-    ~SharedFile() {
-        if (descriptor_ >= 0) ::close(descriptor_);
-    }
-    void write(std::uint64_t place, const void* bytes, std::size_t size) const {
-        const char* from = static_cast<const char*>(bytes);
-        while (size > 0) {
-            const ssize_t count = ::pwrite(descriptor_, from, size, static_cast<off_t>(place));
-            if (count < 0 && errno == EINTR) continue;
-            if (count < 0) fail(name_, errno);
-            from += count;
-            place += static_cast<std::uint64_t>(count);
-            size -= static_cast<std::size_t>(count);
-        }
-    }
-    void finish() {
-        if (::fsync(descriptor_) != 0 && errno != EINVAL) fail(name_, errno);
-        if (::close(std::exchange(descriptor_, -1)) != 0) fail(name_, errno);
-    }
-
- private:
-    void open(int flags) {
-        descriptor_ = ::open(unfinished(name_).c_str(), flags, 0666);
-        if (descriptor_ < 0) fail(name_, errno);
-    }
-    std::string name_;
-    int descriptor_ = -1;
-};
 
 /// Faces or cells as numbers of 32 bits, of 64 where there are so many sites.
 void write_faces(Communicator& ranks, const std::string& name, const Whole& whole, bool has_head) {
@@ -302,6 +247,8 @@ struct Format {
     void (*write)(Communicator&, const std::string&, const Whole&);
 };
 constexpr Format formats[] = {
+    {".pvtu", [](Communicator& ranks, const std::string& name,
+                 const Whole& whole) { write_pieces(ranks, name, whole.piece); }},
     {".h5", write_hdf5},
     {".hdf5", write_hdf5},
     {".vtkhdf", write_hdf5},
@@ -319,21 +266,15 @@ const Format* format_of(const std::string& name) {
 
 }  // namespace
 
-bool can_write(const std::string& name) {
-    return format_of(name) != nullptr;
+std::string endings() {
+    std::string all;
+    for (const Format& format : formats)
+        all += (all.empty() ? "" : ", ") + std::string(format.ending);
+    return all;
 }
 
 void write(Communicator& ranks, const std::string& name, const Whole& whole) {
-    try {
-        format_of(name)->write(ranks, name, whole);
-        ranks.together([&] {
-            if (ranks.rank() == 0 && std::rename(unfinished(name).c_str(), name.c_str()) != 0)
-                fail(name, errno);
-        });
-    } catch (...) {
-        if (ranks.rank() == 0) ::unlink(unfinished(name).c_str());
-        throw;
-    }
+    complete(ranks, name, [&] { format_of(name)->write(ranks, name, whole); });
 }
 
 }  // namespace signum::mpi

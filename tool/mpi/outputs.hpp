@@ -8,13 +8,14 @@
 
 #include "../../mpi/communicator.hpp"
 #include "../../mpi/triangulate.hpp"
+#include "../io/vtk_grid.hpp"
 
 namespace signum::mpi {
 
-/// Whether `name` ends as something that is written: .h5 and .vtkhdf (VTK's HDF5, with the arrays
-/// of signum beside), .npy and .i32 (the faces, as signum writes them), .json (for as many faces as
-/// one rank holds).
-[[nodiscard]] bool can_write(const std::string& name);
+/// How names end of what is written: .h5 and .vtkhdf (VTK's HDF5, with the arrays of signum beside),
+/// .npy and .i32 (the faces, as signum writes them), .json (for as many faces as one rank holds),
+/// .pvtu (a piece a rank beside it: the bytes depend on their number).
+[[nodiscard]] std::string endings();
 
 struct Whole {
     const std::vector<distributed::Placed>& slice;  ///< of all sites, by number, rank after rank
@@ -22,8 +23,9 @@ struct Whole {
     const Stretch& stretch;
     Metric metric;
     WeightIs weight_is;
+    const VtkGrid& piece;  ///< of this rank; asked for by .pvtu alone
 };
-/// Collective. Throws NameError, MachineError and std::invalid_argument.
+/// `name` ends as one of them. Collective. Throws NameError, MachineError and std::invalid_argument.
 void write(Communicator& ranks, const std::string& name, const Whole& whole);
 
 }  // namespace signum::mpi

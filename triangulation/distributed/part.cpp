@@ -8,6 +8,7 @@
 #include "../../core/large_array.hpp"
 #include "../insertion/hiders.hpp"
 #include "../insertion/insert_all.hpp"
+#include "../structure/assemble.hpp"
 #include "../structure/spatial_order.hpp"
 #include "../structure/topology.hpp"
 #include "part_of_space.hpp"
@@ -71,6 +72,20 @@ class PartOf final : public Settling<K> {
                 neighbours.push_back(id(topology_.target(h)));
             put(id(v), neighbours);
         }
+    }
+    [[nodiscard]] Known known() const override {
+        auto [known, place] = this->known_sites(
+            numbers_, [&](Index v) { return placed(v); }, [&](Index v) { return is_own(v); });
+        TessellationArrays& arrays = known.plane;
+        arrays.metric = K::Metric::metric;
+        arrays.weight_is = K::weight_is;
+        arrays.sites = static_cast<std::int64_t>(known.ids.size());
+        assemble(Topology(topology_), place, place, arrays, Workers(1));
+        for (Index v = 0; at(v) < sites_.size(); ++v)
+            if (hidden_by_[at(v)] >= 0)
+                arrays.hidden.push_back({place[at(v)], place[at(hidden_by_[at(v)])]});
+        std::ranges::sort(arrays.hidden, {}, &Hidden::site);
+        return std::move(known);
     }
 
  private:
@@ -253,7 +268,7 @@ class PartOf final : public Settling<K> {
         std::vector<HalfEdge> edges;
         if constexpr (!Kernel::is_straight) {
             if (this->unknown().empty()) return edges;
-            const Extent& known = this->known();
+            const Extent& known = this->searched();
             // Sites that stay within what is known, and by more than what may reach in from beyond
             // with a radius below 0: of two of them no edge is taken.
             double least = 0.0;

@@ -39,6 +39,8 @@
 #include <stop_token>
 #include <vector>
 
+#include "../arrays.hpp"
+#include "../space/triangulate.hpp"
 #include "exchange.hpp"
 #include "site_store.hpp"
 
@@ -75,6 +77,16 @@ class NoStructure : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// All that a part knows, as a tessellation of its own, whose sites stand in the order of their
+/// numbers: around an own site it is that of the whole, number by number.
+struct Known {
+    std::vector<std::int64_t> ids;
+    std::vector<char> are_own;
+    std::vector<Site3> sites;   ///< in the plane z is 0
+    TessellationArrays plane;   ///< of the plane,
+    SpaceTessellation space;    ///< or of space
+};
+
 class Part {
  public:
     Part() = default;
@@ -100,6 +112,8 @@ class Part {
     virtual void each_star(
         const std::function<void(std::int64_t site, std::span<const std::int64_t> neighbours)>& put)
         const = 0;
+    /// O(n log n).
+    [[nodiscard]] virtual Known known() const = 0;
     /// The own sites that are hidden, and who is nearest to their centres in the whole.
     [[nodiscard]] virtual std::vector<WholeHidden> hidden() const = 0;
     /// How many sites of others were told, how often it asked, and how many faces and edges it

@@ -11,6 +11,7 @@
 #include "../space/nearest_site.hpp"
 #include "../space/order.hpp"
 #include "settling.hpp"
+#include "whole.hpp"
 
 namespace signum::distributed {
 namespace {
@@ -34,14 +35,7 @@ class PartOfSpace final : public Settling<K> {
             std::size_t first = 4;
             for (std::size_t k = 0; k < 4; ++k)
                 if (v[k] >= 0 && (first == 4 || ids[k] < ids[first])) first = k;
-            if (!is_own(v[first])) return;
-            const auto is_less = [&](std::size_t a, std::size_t b) {
-                return static_cast<std::size_t>(ids[a] < ids[b]);
-            };
-            const auto& [a, b, c, d] =
-                spatial::even_orders[is_less(0, 1) | is_less(0, 2) << 1 | is_less(0, 3) << 2 |
-                                     is_less(1, 2) << 3 | is_less(1, 3) << 4 | is_less(2, 3) << 5];
-            put(WholeCell<4>{ids[a], ids[b], ids[c], ids[d]});
+            if (is_own(v[first])) put(in_order(ids));
         });
     }
     void each_adjacency(const std::function<void(const Adjacency&)>& /*put*/) const override {}
@@ -74,7 +68,35 @@ class PartOfSpace final : public Settling<K> {
         }
     }
 
+    [[nodiscard]] Known known() const override {
+        auto [known, place] = this->known_sites(
+            numbers_, [&](Index v) { return placed(v); }, [&](Index v) { return is_own(v); });
+        const auto sites = static_cast<std::int64_t>(known.ids.size());
+        std::vector<WholeCell<4>> cells;
+        each_cell([&](const Four& v) {
+            const auto number = [&](Index each) -> std::int64_t {
+                return each < 0 ? -1 : place[at(each)];
+            };
+            cells.push_back(in_order({number(v[0]), number(v[1]), number(v[2]), number(v[3])}));
+        });
+        known.space = space_of(SortedCells<4>(std::move(cells), -1, sites), sites);
+        for (const auto& [v, by] : nearest_)
+            known.space.hidden.push_back({place[at(v)], place[at(by)]});
+        std::ranges::sort(known.space.hidden, {}, &Hidden::site);
+        return std::move(known);
+    }
+
  private:
+    /// The order of a cell in the whole.
+    [[nodiscard]] static WholeCell<4> in_order(const WholeCell<4>& cell) noexcept {
+        const auto is_less = [&](std::size_t a, std::size_t b) {
+            return static_cast<std::size_t>(cell[a] < cell[b]);
+        };
+        const auto& [a, b, c, d] =
+            spatial::even_orders[is_less(0, 1) | is_less(0, 2) << 1 | is_less(0, 3) << 2 |
+                                 is_less(1, 2) << 3 | is_less(1, 3) << 4 | is_less(2, 3) << 5];
+        return {cell[a], cell[b], cell[c], cell[d]};
+    }
     [[nodiscard]] std::int64_t id(Index v) const noexcept { return numbers_.id(v); }
     [[nodiscard]] bool is_own(Index v) const noexcept { return v >= 0 && is_own_[at(v)] != 0; }
     [[nodiscard]] Placed placed(Index v) const noexcept {
@@ -194,11 +216,11 @@ class PartOfSpace final : public Settling<K> {
         for (Index v = 0; at(v) < sites_.size(); ++v)
             if (near_to[at(v)] == is_visible) visible.push_back(v);
         const spatial::NearestSite<S> nearest(sites_, numbers_.all(), std::move(visible));
-        for (const spatial::HiddenNear& each : hidden_)
-            if (is_own(each.site))
-                result.push_back({placed(each.site),
-                                  placed(nearest(centre3(sites_[at(each.site)]),
-                                                 near_to[at(each.site)]))});
+        for (const spatial::HiddenNear& each : hidden_) {
+            const Index by = nearest(centre3(sites_[at(each.site)]), near_to[at(each.site)]);
+            nearest_.push_back({each.site, by});
+            if (is_own(each.site)) result.push_back({placed(each.site), placed(by)});
+        }
         return result;
     }
 
@@ -208,6 +230,7 @@ class PartOfSpace final : public Settling<K> {
     std::optional<Kernel> kernel_;
     std::optional<spatial::Insertion<Kernel>> insertion_;
     std::vector<spatial::HiddenNear> hidden_;
+    std::vector<Hidden> nearest_;  ///< of all that are hidden and known
     Index asked_of_ = 0;  ///< sites that were there when cells were last asked about
 };
 

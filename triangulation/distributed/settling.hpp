@@ -42,13 +42,18 @@ class Numbers {
                 numbers_[i] = static_cast<Index>(ids_[i]);
             return;
         }
-        std::vector<Index> by_id(ids_.size());
-        std::iota(by_id.begin(), by_id.end(), 0);
-        std::ranges::sort(by_id, {}, [&](Index v) { return id(v); });
+        const std::vector<Index> by_id = in_order();
         for (std::size_t k = 0; k < by_id.size(); ++k)
             numbers_[static_cast<std::size_t>(by_id[k])] = static_cast<Index>(k);
     }
     [[nodiscard]] std::span<const Index> all() const noexcept { return numbers_; }
+    /// Sites in the order of their numbers.
+    [[nodiscard]] std::vector<Index> in_order() const {
+        std::vector<Index> order(ids_.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::ranges::sort(order, {}, [&](Index v) { return id(v); });
+        return order;
+    }
 
  private:
     LargeArray<std::int64_t> ids_;
@@ -67,8 +72,8 @@ class Settling : public Part {
         const bool has_own = !own.sites().empty();
         std::vector<Questions> questions(parts.size());
         for (std::size_t q = 0; q < parts.size(); ++q)
-            if (q != number && has_own && meet(parts[q].extent, known_))
-                questions[q].boxes.push_back(known_);
+            if (q != number && has_own && meet(parts[q].extent, searched_))
+                questions[q].boxes.push_back(searched_);
         guests_.clear();
         std::vector<Placed> others;
         take_new(common, others);
@@ -102,6 +107,23 @@ class Settling : public Part {
     /// A hidden own site, and who is nearest to its centre of those that are known.
     using HiddenBy = std::array<Placed, 2>;
 
+    /// Known without a structure, and the places of sites among its.
+    template <class PlacedOf, class IsOwn>
+    [[nodiscard]] static std::pair<Known, std::vector<Index>> known_sites(
+        const Numbers& numbers, const PlacedOf& placed, const IsOwn& is_own) {
+        Known known;
+        const std::vector<Index> order = numbers.in_order();
+        std::vector<Index> place(order.size());
+        for (const Index v : order) {
+            place[static_cast<std::size_t>(v)] = static_cast<Index>(known.ids.size());
+            const Placed each = placed(v);
+            known.ids.push_back(each.id);
+            known.are_own.push_back(static_cast<char>(is_own(v)));
+            known.sites.push_back(each.site);
+        }
+        return {std::move(known), std::move(place)};
+    }
+
     /// The structure of the own sites and those of others.
     virtual void build(std::span<const Placed> own, const std::vector<Placed>& others,
                        const std::stop_token& stop) = 0;
@@ -113,7 +135,7 @@ class Settling : public Part {
     [[nodiscard]] virtual std::vector<HiddenBy> hidden_by_known() = 0;
 
     /// Where sites are that are not known: of each part, beyond the sides of a box.
-    [[nodiscard]] const Extent& known() const noexcept { return known_; }
+    [[nodiscard]] const Extent& searched() const noexcept { return searched_; }
     [[nodiscard]] const std::vector<std::pair<std::size_t, Extent>>& unknown() const noexcept {
         return unknown_;
     }
@@ -159,20 +181,20 @@ class Settling : public Part {
         for (const PartBounds& other : parts)
             if (!is_empty(other.extent) && meet(other.extent, most))
                 spacing = std::min(spacing, other.spacing);
-        known_ = grown(looked_beyond * spacing);
+        searched_ = grown(looked_beyond * spacing);
 
         unknown_.clear();
         Extent all = no_extent();
         for (std::size_t q = 0; q < parts.size() && has_own; ++q) {
             if (q == number || is_empty(parts[q].extent)) continue;
             all.include(parts[q].extent);
-            for (const Extent& beyond : sides_of(known_)) {
+            for (const Extent& beyond : sides_of(searched_)) {
                 const Extent extent = overlap(parts[q].extent, beyond);
                 if (meet(extent, extent)) unknown_.push_back({q, extent});
             }
         }
         beyond_.clear();
-        for (const Extent& side : sides_of(known_))
+        for (const Extent& side : sides_of(searched_))
             if (const Extent extent = overlap(all, side); !unknown_.empty() && meet(extent, extent))
                 beyond_.push_back(extent);
     }
@@ -243,7 +265,7 @@ class Settling : public Part {
 
     static constexpr std::size_t parts_of_none = ~std::size_t{0};
 
-    Extent known_ = no_extent();
+    Extent searched_ = no_extent();
     std::vector<std::pair<std::size_t, Extent>> unknown_;
     std::vector<Extent> beyond_;  ///< all of it, side by side
     std::unordered_set<std::int64_t> guests_;

@@ -160,4 +160,27 @@ class SortedCells {
     std::vector<Cell> cells_;
 };
 
+/// The arrays of space but for hidden sites, of which the numbers fit.
+[[nodiscard]] inline SpaceTessellation space_of(const SortedCells<4>& sorted, std::int64_t sites) {
+    std::vector<Half<4>> halves;
+    std::int64_t number = 0;
+    for (const WholeCell<4>& cell : sorted.cells()) {
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            halves.push_back(half_of(cell, number, corner));
+        ++number;
+    }
+    SpaceTessellation space;
+    space.dimension = 3;
+    space.sites = sites;
+    for (const auto& [a, b, c, d] : sorted.cells())
+        space.cells.push_back({static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c),
+                               static_cast<Index>(d)});
+    space.neighbours.resize(space.cells.size());
+    for (const auto& [place, neighbour] : joined<4>(halves, 0, sites))
+        space
+            .neighbours[static_cast<std::size_t>(place / 4)][static_cast<std::size_t>(place % 4)] =
+            static_cast<Index>(neighbour);
+    return space;
+}
+
 }  // namespace signum::distributed

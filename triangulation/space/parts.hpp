@@ -321,10 +321,11 @@ class PartsOfSpace {
     /// the cell behind the facet is (insert.hpp).
     [[nodiscard]] bool may_be_reached(Index c, const Box& beyond) const noexcept {
         const Four& cell = leaves_.vertex(c);
-        if (cell[0] != infinite) return ball_of(sites_, cell).may_be_reached_from(beyond);
+        if (cell[0] != infinite) return InSphereForm(sites_, cell).may_be_reached_from(beyond);
         const Sign side = side_of(sites_, cell, beyond);
         if (side != 0) return side > 0;
-        return ball_of(sites_, leaves_.vertex(leaves_.neighbour(c)[0])).may_be_reached_from(beyond);
+        return InSphereForm(sites_, leaves_.vertex(leaves_.neighbour(c)[0]))
+            .may_be_reached_from(beyond);
     }
 
     /// A facet of three settled sites, infinity among them perhaps, and a site of B: the cell with

@@ -8,7 +8,7 @@
 
 #include "../../core/parallel.hpp"
 #include "../../exact/floating_environment.hpp"
-#include "../../triangulation/space/order.hpp"
+#include "../../triangulation/structure/curve_order.hpp"
 #include "faces.hpp"
 
 namespace signum {
@@ -29,9 +29,7 @@ class Measuring {
     }
 
     [[nodiscard]] SpaceCells run() && {
-        // Near ones after one another, so that most of what a site looks at has been looked at.
-        const auto place = [&](Index i) { return faces_.sites()[i].centre; };
-        const LargeArray<Index> order = spatial::insertion_order(has_apex_.size(), place, 1);
+        const LargeArray<Index> order = along_curve();
         if (workers_.count() == 1) {
             cut_faces(faces_, rims_, order, 0, order.size(), [this](const Cut& cut) {
                 note(cut, found_);
@@ -75,6 +73,36 @@ class Measuring {
         std::vector<EndOfCell> ends;
     };
 
+    /// Near sites after one another, so that most of what a site looks at has been looked at. Which
+    /// of two comes first depends on the two and on the box alone, and so do sums.
+    [[nodiscard]] LargeArray<Index> along_curve() const {
+        constexpr CurveKeys layout{28, 12};  // of 2^28 sites at the most
+        std::array<AxisRange, 3> ranges;
+        for (std::size_t k = 0; k < 3; ++k) {
+            ranges[k].include(result_.box.low.*axes_of_space[k]);
+            ranges[k].include(result_.box.high.*axes_of_space[k]);
+        }
+        LargeArray<std::uint64_t> keys(has_apex_.size());
+        workers_.each_range(keys.size(), [&](std::size_t begin, std::size_t end) {
+            const exact::IeeeEnvironment environment;
+            for (std::size_t i = begin; i < end; ++i) {
+                const Point3 centre = faces_.sites()[static_cast<Index>(i)].centre;
+                std::array<std::uint32_t, 3> cell;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const auto axis = axes_of_space[k];
+                    const double x = std::clamp(centre.*axis, result_.box.low.*axis,
+                                                result_.box.high.*axis);
+                    cell[k] = ranges[k].cell(x, layout.axis_bits);
+                }
+                keys[i] = HilbertCurve<3>::place(cell, layout.axis_bits) << layout.item_bits | i;
+            }
+        });
+        boost::sort::pdqsort_branchless(keys.begin(), keys.end());
+        LargeArray<Index> order(keys.size());
+        for (std::size_t i = 0; i < keys.size(); ++i)
+            order[i] = static_cast<Index>(layout.item(keys[i]));
+        return order;
+    }
     /// A face between two sites, seen from the first, and one of its corners.
     struct Cut {
         Index i;
