@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -34,6 +35,9 @@ distributed::SlicedSites in_slices(const std::vector<S>& sites, std::size_t slic
                     some.push_back({sites[i], static_cast<std::int64_t>(i)});
                 return some;
             }};
+}
+std::function<std::size_t(std::int64_t)> in_parts(std::size_t parts) {
+    return [parts](std::int64_t) { return parts; };
 }
 const std::string folder = std::filesystem::temp_directory_path().string();
 
@@ -71,9 +75,10 @@ TEST_P(OnDiskFaces, AreThoseOfTheWhole) {
         for (const auto& [slices, parts, threads] :
              {std::array<std::size_t, 3>{1, 1, 1}, {3, 4, 2}, {7, 5, 1}}) {
             const Result found = built(sites, slices, GetParam(),
-                                       {.parts = parts, .threads = static_cast<int>(threads)});
+                                       {.parts = in_parts(parts), .threads = static_cast<int>(threads)});
             ASSERT_EQ(found.numbers, numbers) << name_of(distribution) << ", " << parts << " parts";
             EXPECT_EQ(found.counts.sites, count);
+            EXPECT_EQ(found.counts.parts, parts);
             EXPECT_EQ(found.counts.hidden, static_cast<std::int64_t>(whole.hidden().size()));
             EXPECT_EQ(found.counts.faces, static_cast<std::int64_t>(whole.faces().size()));
             EXPECT_EQ(found.counts.infinite_faces,
@@ -100,7 +105,7 @@ TEST(OnDisk, CellsAreThoseOfTheWhole) {
         for (const SpaceCell& cell : whole.cells)
             numbers.insert(numbers.end(), cell.begin(), cell.end());
         for (const std::size_t parts : {1U, 4U}) {
-            const Result found = built(sites, 3, Metric::power, {.parts = parts, .threads = 2});
+            const Result found = built(sites, 3, Metric::power, {.parts = in_parts(parts), .threads = 2});
             ASSERT_EQ(found.numbers, numbers) << name_of(distribution) << ", " << parts << " parts";
             EXPECT_EQ(found.counts.hidden, static_cast<std::int64_t>(whole.hidden.size()));
         }
@@ -114,24 +119,24 @@ TEST(OnDisk, SaysWhatItCannot) {
     const auto build = [&](const distributed::DiskOptions& options) {
         static_cast<void>(built(sites, 2, Metric::power, options));
     };
-    EXPECT_THROW(build({.parts = 2}), distributed::NoStructure);
+    EXPECT_THROW(build({.parts = in_parts(2)}), distributed::NoStructure);
     sites = {};
-    EXPECT_THROW(build({.parts = 2}), distributed::NoStructure);
+    EXPECT_THROW(build({.parts = in_parts(2)}), distributed::NoStructure);
     sites = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    EXPECT_NO_THROW(build({.parts = 500}));
-    EXPECT_THROW(build({.parts = 0}), std::invalid_argument);
-    EXPECT_THROW(build({.parts = 501}), std::invalid_argument);
+    EXPECT_NO_THROW(build({.parts = in_parts(500)}));
+    EXPECT_THROW(build({.parts = in_parts(0)}), std::invalid_argument);
+    EXPECT_THROW(build({.parts = in_parts(501)}), std::invalid_argument);
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_THROW(build({.parts = 2, .stop = stop.get_token()}), Stopped);
+    EXPECT_THROW(build({.parts = in_parts(2), .stop = stop.get_token()}), Stopped);
     sites[1].r = HUGE_VAL;
-    EXPECT_THROW(build({.parts = 2}), std::invalid_argument);
+    EXPECT_THROW(build({.parts = in_parts(2)}), std::invalid_argument);
 }
 
 TEST(OnDisk, SaysWhereItCannotWrite) {
     const std::vector<Site> sites = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     EXPECT_THROW(distributed::triangulate_on_disk(
-                     in_slices(sites, 1), {}, {.parts = 2, .folder = "/nowhere"},
+                     in_slices(sites, 1), {}, {.parts = in_parts(2), .folder = "/nowhere"},
                      [](const WholeCounts&) {}, [](std::span<const std::int64_t>) {}),
                  std::system_error);
 }

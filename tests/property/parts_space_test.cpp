@@ -1,6 +1,7 @@
 /// Tessellations of space from parts are those from the whole: of sites made to be on cuts, to
 /// reach across them, to hide one another from beyond them, and to be tied everywhere.
 
+#include <array>
 #include <cmath>
 #include <span>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "../../tool/generate/generate.hpp"
 #include "../../triangulation/space/construct.hpp"
+#include "../../triangulation/space/reach.hpp"
 #include "../../triangulation/space/triangulate.hpp"
 #include "../thoroughness.hpp"
 #include "../unit/exact_reference.hpp"
@@ -210,6 +212,40 @@ TEST(PartsOfSpace, OfAnyMagnitude) {
         expect_the_same_of(sites, 2, "2^" + std::to_string(exponent));
         if (HasFatalFailure()) return;
     }
+}
+
+/// What is out of reach of a cell does not conflict with it, of cells that are all but flat, too; and
+/// what lies well outside its sphere is out of reach.
+TEST(PartsOfSpace, FormsTellOfNoConflictThatIsThere) {
+    Random random(3);
+    int told = 0;
+    const int trials = 20'000 * thoroughness;
+    for (int trial = 0; trial < trials; ++trial) {
+        const double thickness = std::ldexp(1.0, -random.between(0, 60));
+        const double shift = std::ldexp(random.between(-1, 1), random.between(0, 40));
+        const auto within = [&] { return shift + random.between(-1000, 1000) * 0.001; };
+        std::array<Site3, 5> sites;
+        for (Site3& site : sites)
+            site = {within(), within(), shift + (within() - shift) * thickness,
+                    random.between(0, 30) * 0.01};
+        sites[4].z = within();
+        const std::span<const Site3> cell(sites.data(), 4);
+        const auto turn = [&] {
+            return ccw(centre3(sites[0]), centre3(sites[1]), centre3(sites[2]), centre3(sites[3]));
+        };
+        if (turn() < 0) std::swap(sites[0], sites[1]);
+        if (turn() == 0) continue;
+        const Site3& q = sites[4];
+        const double wide = random.coin() ? 0.0 : 0.125;
+        const spatial::Box box = {{q.x - wide, q.y - wide, q.z - wide},
+                                  {q.x + wide, q.y + wide, q.z + wide},
+                                  q.r * q.r};
+        const bool is_reached = spatial::InSphereForm(cell, {0, 1, 2, 3}).may_be_reached_from(box);
+        const Sign sign = power::in_sphere(sites[0], sites[1], sites[2], sites[3], q);
+        ASSERT_TRUE(is_reached || sign < 0) << "trial " << trial;
+        told += is_reached ? 0 : 1;
+    }
+    EXPECT_GT(told, trials / 4);
 }
 
 /// The same bytes, however many threads.

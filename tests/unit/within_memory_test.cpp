@@ -56,6 +56,9 @@ TEST_F(WithinMemory, WritesTheSameBytes) {
     expect_the_same(made("sites.txt"), {"--metric", "power"});
     expect_the_same(made("sites.npy"), {"--metric", "euclidean"});
     expect_the_same(made("sites.f64"), {"--metric", "power", "--weight-is", "weight"});
+    const Words space = {"--dimension", "3"};
+    expect_the_same(made("space.txt", space), {"--metric", "power", "--dimension", "3"});
+    expect_the_same(made("space.npy", space), {"--metric", "power", "--dimension", "3"});
 }
 
 TEST_F(WithinMemory, SaysWhatItDoesNotTake) {
@@ -72,8 +75,11 @@ TEST_F(WithinMemory, SaysWhatItDoesNotTake) {
                              "perhaps r, under a header of these names or none\n");
     EXPECT_FALSE(std::filesystem::exists(faces));
     expect_refusal(with({"-o", scratch.path("a.i32")}),
-                   "signum: --memory writes the faces as they come, into one file: -o FILE.npy or "
-                   "FILE.i32\n");
+                   "signum: --memory writes faces, or cells, as they come, into one file: -o "
+                   "FILE.npy or FILE.i32\n");
+    expect_refusal(with({"--dimension", "3"}),
+                   "signum: --metric euclidean: sites in space, as those of " + sites +
+                       " are, have tessellations of the power metric alone; leave --metric out\n");
     expect_refusal(
         with({"--check"}),
         "signum: --memory goes with the exact insertion, the order index, and neither "

@@ -144,12 +144,15 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
     // A quarter is for what all parts know, and for reading and sorting.
     const double fit = 0.75 * static_cast<double>(bytes) /
                        static_cast<double>(distributed::bytes_a_site(kind)) / workers.count();
-    const double parts = std::max(std::ceil(most_sites / fit), 1.0);
-    if (parts > static_cast<double>(distributed::most_parts))
+    const auto parts = [&](std::int64_t sites) {
+        const double count = std::max(std::ceil(static_cast<double>(sites) / fit), 1.0);
+        if (count <= static_cast<double>(distributed::most_parts))
+            return static_cast<std::size_t>(count);
         throw CallError(
-            fmt::format("--memory {} is too little for the {} bytes of {}: its parts "
+            fmt::format("--memory {} is too little for the {} sites of {}: its parts "
                         "would be more than {}",
-                        memory, size, call.input, distributed::most_parts));
+                        memory, sites, call.input, distributed::most_parts));
+    };
 
     const auto start = std::chrono::steady_clock::now();
     const Outputs outputs(targets);
@@ -159,7 +162,7 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
         with_progress(call.quiet, [&](const std::function<void(double)>& show) {
             distributed::triangulate_on_disk(
                 slices.view(), kind,
-                {.parts = static_cast<std::size_t>(parts),
+                {.parts = parts,
                  .threads = call.threads,
                  .folder = std::filesystem::absolute(target.path).parent_path().string(),
                  .progress = show},
@@ -189,7 +192,7 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
     say("hidden   {}\n", counts.hidden);
     say("{}    {}, {} of them infinite\n", dimension == 3 ? "cells" : "faces", counts.faces,
         counts.infinite_faces);
-    say("parts    {}\n", parts);
+    say("parts    {}\n", counts.parts);
     say("seconds  {:.3g}\n", study::seconds_since(start));
     say("{}", written(targets));
 }

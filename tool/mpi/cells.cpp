@@ -199,9 +199,18 @@ void write_pieces(Communicator& ranks, const std::string& name, const VtkGrid& o
         out.flush();
         if (!out) fail(to, errno);
     };
+    std::vector<std::string> pieces;
+    std::size_t first = ranks.size();
+    for (std::size_t r = 0; r < ranks.size(); ++r)
+        if (have[r] != 0) {
+            pieces.push_back(std::filesystem::path(name_of_piece(name, r)).filename().string());
+            first = std::min(first, r);
+        }
     try {
         ranks.together([&] {
             if (has_own != 0) put(piece, [&](std::ostream& out) { write_vtu(out, own); });
+            if (ranks.rank() == first)
+                put(name, [&](std::ostream& out) { write_pvtu(out, own, pieces); });
         });
         ranks.together([&] {
             if (has_own != 0 && std::rename(unfinished(piece).c_str(), piece.c_str()) != 0)
@@ -211,17 +220,6 @@ void write_pieces(Communicator& ranks, const std::string& name, const VtkGrid& o
         ::unlink(unfinished(piece).c_str());
         throw;
     }
-    std::vector<std::string> pieces;
-    std::size_t first = ranks.size();
-    for (std::size_t r = 0; r < ranks.size(); ++r)
-        if (have[r] != 0) {
-            pieces.push_back(std::filesystem::path(name_of_piece(name, r)).filename().string());
-            first = std::min(first, r);
-        }
-    ranks.together([&] {
-        if (ranks.rank() == first)
-            put(name, [&](std::ostream& out) { write_pvtu(out, own, pieces); });
-    });
 }
 
 }  // namespace signum::mpi

@@ -30,7 +30,7 @@ class RankCells {
     VtkGrid grid_;
 };
 
-/// A file of each rank's beside one that names all. Collective.
+/// A file of each rank's beside unfinished(name), which names all. Collective.
 void write_pieces(Communicator& ranks, const std::string& name, const VtkGrid& own);
 
 }  // namespace signum::mpi

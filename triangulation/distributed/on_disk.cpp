@@ -133,13 +133,15 @@ class Mapped {
 /// How far the work is.
 class Steps {
  public:
-    Steps(const DiskOptions& options, std::size_t all) : options_(options), all_(all) {}
+    explicit Steps(const DiskOptions& options) : options_(options) {}
+    /// How many there are. Before it is known nothing is told.
+    void expect(std::size_t all) noexcept { all_ = all; }
     /// One more of as many as there are, on whatever thread. Throws Stopped.
     void step() {
         const std::size_t done = ++done_;
         if (options_.stop.stop_requested()) throw Stopped();
         const std::lock_guard lock(one_at_a_time_);
-        if (options_.progress && done > told_) {
+        if (options_.progress && all_ > 0 && done > told_) {
             told_ = done;
             options_.progress(static_cast<double>(done) / static_cast<double>(all_));
         }
@@ -147,7 +149,7 @@ class Steps {
 
  private:
     const DiskOptions& options_;
-    std::size_t all_;
+    std::size_t all_ = 0;
     std::atomic<std::size_t> done_ = 0;
     std::mutex one_at_a_time_;
     std::size_t told_ = 0;
@@ -157,11 +159,10 @@ template <std::size_t corners>
 void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions& options,
                    const std::function<void(const WholeCounts&)>& begin,
                    const std::function<void(std::span<const std::int64_t>)>& put) {
-    const std::size_t parts = options.parts;
-    if (parts == 0 || parts > most_parts)
-        throw std::invalid_argument("parts: " + std::to_string(parts) + ", 1 to " +
-                                    std::to_string(most_parts) + " are possible");
-    Steps steps(options, 2 * sites.slices + 2 * parts + std::min(corners * parts, most_parts));
+    // More files for what is made than parts, for the first ones have more faces: of three sites one
+    // is among the first half nearly always.
+    const auto files_for = [](std::size_t parts) { return std::min(corners * parts, most_parts); };
+    Steps steps(options);
     WholeCounts counts;
 
     // Once through the sites for a sample: all of the first ones, then ever fewer.
@@ -185,6 +186,12 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
         steps.step();
     }
     if (counts.sites == 0) throw NoStructure("no site");
+    const std::size_t parts = options.parts(counts.sites);
+    if (parts == 0 || parts > most_parts)
+        throw std::invalid_argument("parts: " + std::to_string(parts) + ", 1 to " +
+                                    std::to_string(most_parts) + " are possible");
+    counts.parts = parts;
+    steps.expect(2 * sites.slices + 2 * parts + files_for(parts));
     std::vector<Point3> points;
     for (const Placed& each : sample) points.push_back(place_of(each));
     const Cuts cuts(std::move(points), parts);
@@ -240,9 +247,7 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
     }
 
     // Faces go to files by their first sites.
-    // More of them than parts, for the first ones have more faces: of three sites one is among the
-    // first half nearly always.
-    const std::size_t count = std::min(corners * parts, most_parts);
+    const std::size_t count = files_for(parts);
     const Stretches stretches(counts.sites, count);
     std::vector<Scratch<WholeCell<corners>>> files;
     for (std::size_t k = 0; k < count; ++k) files.emplace_back(options.folder);

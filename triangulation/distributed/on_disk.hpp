@@ -32,7 +32,10 @@ struct SlicedSites {
 inline constexpr std::size_t most_parts = 500;
 
 struct DiskOptions {
-    std::size_t parts = 1;
+    /// How many parts so many sites are dealt to. Called once, when all are counted.
+    std::function<std::size_t(std::int64_t sites)> parts = [](std::int64_t) -> std::size_t {
+        return 1;
+    };
     int threads = 0;           ///< that settle parts, as Options::threads
     std::string folder = ".";  ///< where files without a name take some 140 bytes a site, of
                                ///< space 270
@@ -42,6 +45,7 @@ struct DiskOptions {
 
 /// How much there is of it.
 struct WholeCounts {
+    std::size_t parts = 0;
     std::int64_t sites = 0;
     std::int64_t hidden = 0;
     std::int64_t faces = 0;  ///< or cells

@@ -29,17 +29,31 @@ ranks() {
   on_ranks "$1" "$signum_mpi" "${@:2}"
 }
 
-# same NAME SITES METRIC RANKS...
+# same NAME SITES METRIC RANKS...: of the plane, and with dimension=3 of space.
+dimension=2
 same() {
   local name=$1 sites=$2 metric=$3
+  local kind=(--metric "$metric" --dimension "$dimension" --quiet)
   shift 3
-  "$signum" triangulate "$sites" --metric "$metric" --quiet -o whole.json -o whole.npy 2>/dev/null
+  "$signum" triangulate "$sites" "${kind[@]}" -o whole.json -o whole.npy 2>/dev/null
   for count in "$@"; do
-    ranks "$count" triangulate "$sites" --metric "$metric" --quiet -o found.json -o found.npy -o "found$count.h5" ||
+    ranks "$count" triangulate "$sites" "${kind[@]}" -o found.json -o found.npy -o "found$count.h5" ||
       { fail "$name, $metric, $count ranks: it does not end well"; continue; }
     cmp -s whole.json found.json || fail "$name, $metric, $count ranks: another JSON"
     cmp -s whole.npy found.npy || fail "$name, $metric, $count ranks: other faces"
     cmp -s "found$1.h5" "found$count.h5" || fail "$name, $metric, $count ranks: another HDF5"
+  done
+}
+# The same of tables of cells: areas or volumes, and neighbours.
+same_cells() {
+  local name=$1 sites=$2 metric=$3
+  local kind=(--metric "$metric" --dimension "$dimension" --quiet)
+  shift 3
+  "$signum" voronoi "$sites" "${kind[@]}" -o whole.csv 2>/dev/null
+  for count in "$@"; do
+    ranks "$count" voronoi "$sites" "${kind[@]}" -o found.csv -o found.pvtu ||
+      { fail "$name, $metric, $count ranks: voronoi does not end well"; continue; }
+    cmp -s whole.csv found.csv || fail "$name, $metric, $count ranks: another table"
   done
 }
 
@@ -47,8 +61,22 @@ for metric in power euclidean manhattan supremum; do
   for kind in random grid rings; do
     "$signum" generate "$kind" -n 3000 --radius 0:9 -o sites.txt
     same "$kind" sites.txt "$metric" 1 3
+    same_cells "$kind" sites.txt "$metric" 4
   done
 done
+dimension=3
+for kind in random sphere grid; do
+  "$signum" generate "$kind" -n 1500 --radius 0:40 --dimension 3 -o space.txt
+  same "$kind of space" space.txt power 1 3 7
+  same_cells "$kind of space" space.txt power 1 4
+done
+"$signum" generate random -n 5000 --dimension 3 -o space.npy
+same "an array of space" space.npy power 1 2 4
+same_cells "an array of space" space.npy power 2
+cp whole.npy whole_space.npy
+printf 'x,y,z\n0,0,0\n1,0,0\n0,1,0\n0,0,1\n1,1,1\n' >few.csv
+same "few of space" few.csv power 1 2 7
+dimension=2
 "$signum" generate random -n 20000 --radius 0:3 -o sites.npy
 same "an array" sites.npy euclidean 1 2 4
 # Headers and remarks; lines that end in CR LF; more ranks than sites.
@@ -81,6 +109,8 @@ for i in $(seq 40); do echo "$i $i"; done >line.txt
 wrong "a line" 2 'signum triangulate takes them' line.txt --metric power
 wrong "no array named" 2 'which array' some.h5
 wrong "a metric" 2 'none of power' lines.txt --metric manhatan
+wrong "a metric of space" 2 'power metric alone' lines.txt --dimension 3 --metric euclidean
+wrong "sites of the plane" 2 'x, y, z and perhaps r' line.txt --dimension 3
 head -c 5000 sites.npy >short.npy
 head -c 100000 /dev/zero | tr '\0' 1 >long.txt
 wrong "a line without end" 2 'more than 65536 bytes' long.txt
@@ -135,6 +165,39 @@ assert grid.GetNumberOfPoints() == 4 and grid.GetNumberOfCells() == 2, grid
 assert grid.GetPointData().GetArray("radius").GetNumberOfTuples() == 4
 E
 fi
+if "$python" -c 'import numpy, vtkmodules.vtkIOXML' 2>/dev/null; then
+  ranks 3 triangulate space.npy --dimension 3 --quiet -o space.pvtu
+  ranks 3 voronoi space.npy --dimension 3 --quiet -o cells.pvtu -o cells.csv
+  "$python" - <<'E' || fail "VTK does not read pieces"
+import csv, numpy
+from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader
+def grid(name):
+    reader = vtkXMLPUnstructuredGridReader()
+    reader.SetFileName(name)
+    reader.Update()
+    return reader.GetOutput()
+found = numpy.load("whole_space.npy")
+assert grid("space.pvtu").GetNumberOfCells() == (found[:, 0] >= 0).sum()
+cells = grid("cells.pvtu")
+def column(name):
+    values = cells.GetCellData().GetArray(name)
+    return [values.GetValue(i) for i in range(cells.GetNumberOfCells())]
+rows = {int(row["site"]): float(row["volume"]) for row in csv.DictReader(open("cells.csv"))}
+assert dict(zip(column("site"), column("volume"))) == {site: v for site, v in rows.items() if v > 0}
+E
+fi
+# A rank that dies ends all of them, and leaves no result.
+"$signum" generate random -n 2000000 -o big.npy
+on_ranks 3 "$signum_mpi" triangulate big.npy --quiet -o killed.npy >said 2>&1 &
+job=$!
+for _ in $(seq 100); do
+  one=$(pgrep -n -f "^$signum_mpi triangulate big.npy") && break
+  sleep 0.05
+done
+kill -KILL "$one"
+if wait "$job"; then fail "a rank that was killed: exit code 0"; fi
+[ ! -e killed.npy ] || fail "a rank that was killed: there is a result"
+if pgrep -f "^$signum_mpi triangulate big.npy" >said; then fail "a rank that was killed: others go on"; fi
 # Of n sites there are at most 3n - 6 edges, and these are all but those that a hull of some corners lacks.
 on_ranks 3 "$example" 2000 >said
 grep -q '^6000 sites, 5\.9[0-9]* neighbours each$' said || fail "the example: $(cat said)"
