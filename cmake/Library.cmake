@@ -39,10 +39,11 @@ if(SIGNUM_ONLY_PREDICATES)
   return()
 endif()
 
-# Who calls comes before who is called. Of a text that several sources compile a program gets the first that its linker
-# takes out of the library, and distributed/, which calls the same insertion as construction/, would come before it.
+# Of a text that several sources compile a program gets the first that its linker takes out of the library. Predicates
+# come first, so that who asks for no more is given no more. After them who calls comes before who is called: or else
+# distributed/, which calls the same insertion as construction/, would come before it.
 list(REVERSE library_sources)
-add_library(signum ${library_sources} $<TARGET_OBJECTS:signum_signs>)
+add_library(signum $<TARGET_OBJECTS:signum_signs> ${library_sources})
 compile_as_library(signum)
 describe_library(signum signum ${SIGNUM_NUMBERS} ${SIGNUM_THREADS} Threads::Threads)
 if(SIGNUM_UNITY_BUILD)

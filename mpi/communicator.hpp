@@ -2,12 +2,16 @@
 /// MPI, as far as it is used here: arrays of plain values between the ranks of a communicator.
 ///
 /// Law: every call is collective. What fails on a rank within together() is an exception there, and
-/// OtherFailed on all others at their next call; what fails elsewhere leaves the others waiting.
+/// OtherFailed on all others at their next call. Lack of memory may come in the middle of a call,
+/// where the others cannot be told: within together() it ends all ranks.
 
 #include <mpi.h>
 
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <ctime>
+#include <new>
 #include <numeric>
 #include <span>
 #include <stdexcept>
@@ -51,6 +55,10 @@ class Communicator {
     void together(const Work& work) {
         try {
             work();
+        } catch (const std::bad_alloc&) {
+            give_up("not enough memory; take more ranks, on more machines");
+        } catch (const std::length_error&) {
+            give_up("more than a rank can send or hold; take more ranks");
         } catch (...) {
             if (!has_failed_) static_cast<void>(gate(true));
             throw;
@@ -151,6 +159,12 @@ class Communicator {
                           from.data(), begins.data(), type.get(), comm_);
         });
         return coming;
+    }
+    /// What can happen between two calls that all ranks make, and in the middle of one, ends all.
+    [[noreturn]] void give_up(const char* why) const noexcept {
+        std::fprintf(stderr, "signum-mpi: rank %d: %s\n", rank_, why);
+        MPI_Abort(comm_, 3);
+        std::abort();
     }
     [[nodiscard]] bool gate(bool has_failed) {
         const int own = has_failed ? 1 : 0;

@@ -35,7 +35,7 @@ struct RankTessellation {
 /// Throws on all ranks where it does on one: std::invalid_argument for numbers that are not finite,
 /// weights in a metric without them and another metric of space than that of power,
 /// distributed::NoStructure where no site is visible but one or, in the power metric, all lie on one
-/// line, of space in one plane, std::bad_alloc. Expected time: that of
+/// line, of space in one plane. Lack of memory on a rank ends all ranks (MPI_Abort). Expected time: that of
 /// triangulate() for a rank's share, and some for the sites near its border. Where most cells reach
 /// far (all sites on one circle, a giant that all others touch) ranks are told of each other's
 /// sites until they know most of them.

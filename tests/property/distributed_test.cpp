@@ -101,6 +101,14 @@ TEST_P(Distributed, WhereOneSideHidesTheOther) {
     }
 }
 
+TEST_P(Distributed, BehindLargeDiscs) {
+    for (int trial = 0; trial < 4 * thoroughness; ++trial) {
+        const std::vector<Site> sites = brute_force::cluster_behind_large_discs(trial);
+        expect_the_same(sites, GetParam(), some, "trial " + std::to_string(trial));
+        if (HasFatalFailure()) return;
+    }
+}
+
 /// Discs between two greater ones: each takes the middle of an edge and no vertex.
 TEST_P(Distributed, WhereMiddlesOfEdgesAreTaken) {
     for (int trial = 0; trial < 10 * thoroughness; ++trial) {

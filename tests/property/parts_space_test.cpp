@@ -37,9 +37,11 @@ void expect_the_same_of_parts_apart(const std::vector<S>& sites, const SpaceTess
     const bool are_weights = std::same_as<S, power::Site3>;
     const distributed::Kind kind = {
         Metric::power, are_weights ? WeightIs::weight : WeightIs::radius, 3};
-    // Of few sites more parts than sites, too.
-    constexpr std::size_t few = 60;
-    for (const std::size_t parts : {std::size_t{3}, sites.size() <= few ? few : 7}) {
+    // One number of parts for each of the three, and of few sites more parts than sites.
+    constexpr bool has_radii = std::same_as<S, Site3>;
+    constexpr std::size_t few = 30;
+    const std::size_t many = sites.size() <= few ? 2 * few : 7;
+    for (const std::size_t parts : {has_radii ? 3 : are_weights ? 2 : many}) {
         if (whole.dimension < 3) {
             EXPECT_THROW(static_cast<void>(distributed::settle_in_parts(placed, kind, parts)),
                          distributed::NoStructure)
@@ -217,6 +219,11 @@ TEST(PartsOfSpace, OfAnyMagnitude) {
 /// What is out of reach of a cell does not conflict with it, of cells that are all but flat, too; and
 /// what lies well outside its sphere is out of reach.
 TEST(PartsOfSpace, FormsTellOfNoConflictThatIsThere) {
+    // Where products underflow.
+    constexpr double least = 0x1p-1074;
+    const std::array<Site3, 4> near = {{{0, 0, 0}, {0, 0.75, 0}, {-1.125, 0, 0}, {0, 0, 0.75}}};
+    EXPECT_TRUE(spatial::InSphereForm(std::span<const Site3>(near), {0, 1, 2, 3})
+                    .may_be_reached_from({{least, least, least}, {least, least, least}, 0.0}));
     Random random(3);
     int told = 0;
     const int trials = 20'000 * thoroughness;

@@ -124,7 +124,7 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
         throw CallError("--memory reads the first columns, x, y (z) and r; leave --columns out");
     const int dimension = call.dimension.value_or(2);
     const Metric metric = metric_of(call.metric);
-    if (dimension == 3 && metric != Metric::power)
+    if (dimension == 3 && !traits_of(metric).edges_are_straight)
         refuse_option(call, fmt::format("--metric {}", call.metric), "sites in space",
                       "have tessellations of the power metric alone");
     const bool are_weights = call.weight_is == "weight";

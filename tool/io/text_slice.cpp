@@ -73,11 +73,19 @@ class Lines {
 
 /// A header that says no more than what would be taken anyhow.
 bool is_header(std::string_view line, int dimension) {
+    // Names, parted by commas whatever parts them.
     std::string names;
-    for (const char c : line)
-        if (c != ' ' && c != '\t' && c != '"')
-            names +=
-                c == ';' ? ',' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    bool is_parted = false;
+    for (const char c : line) {
+        if (c == '"') continue;
+        if (c == ' ' || c == '\t' || c == ',' || c == ';') {
+            is_parted = true;
+            continue;
+        }
+        if (is_parted && !names.empty()) names += ',';
+        is_parted = false;
+        names += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
     const std::string_view axes = dimension == 3 ? "x,y,z" : "x,y";
     if (!names.starts_with(axes)) return false;
     names.erase(0, axes.size());

@@ -194,10 +194,11 @@ void write_pieces(Communicator& ranks, const std::string& name, const VtkGrid& o
     const std::vector<std::int64_t> have = ranks.all_of<std::int64_t>(std::array{has_own});
     const std::string piece = name_of_piece(name, ranks.rank());
     const auto put = [&](const std::string& to, const auto& write) {
+        errno = 0;
         std::ofstream out(unfinished(to));
         write(out);
         out.flush();
-        if (!out) fail(to, errno);
+        if (!out) fail(to, errno != 0 ? errno : EIO);
     };
     std::vector<std::string> pieces;
     std::size_t first = ranks.size();
@@ -218,6 +219,7 @@ void write_pieces(Communicator& ranks, const std::string& name, const VtkGrid& o
         });
     } catch (...) {
         ::unlink(unfinished(piece).c_str());
+        ::unlink(piece.c_str());
         throw;
     }
 }

@@ -42,13 +42,13 @@ struct Call {
 /// The metric, by any of its names.
 Metric metric_of(const Call& call) {
     const bool is_space = call.dimension == 3;
-    if (call.metric.empty()) return is_space ? Metric::power : Metric::euclidean;
-    const auto metric = metric_named(call.metric);
+    const auto metric =
+        metric_named(!call.metric.empty() ? call.metric : is_space ? "power" : "euclidean");
     if (!metric)
         throw CLI::ValidationError(
             "--metric",
             fmt::format("'{}' is none of power, euclidean, manhattan, supremum", call.metric));
-    if (is_space && *metric != Metric::power)
+    if (is_space && !traits_of(*metric).edges_are_straight)
         throw CLI::ValidationError("--metric", "in space there are tessellations of the power "
                                                "metric alone");
     return *metric;
@@ -180,7 +180,7 @@ End run(Communicator& ranks, int count, char** words) {
             ->required();
         command.app->add_option(
             "-m,--metric", call.metric,
-            "power, euclidean (without a word), manhattan or supremum; in space power");
+            "power, euclidean, manhattan or supremum; default: euclidean, in space power");
         command.app->add_option("--dimension", call.dimension, "2, or 3 of sites in space: x y z [r]")
             ->capture_default_str()
             ->check(CLI::IsMember({2, 3}));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "../../core/site.hpp"
@@ -68,9 +69,14 @@ class Cuts {
             nodes_[number].axis = widest;
             nodes_[number].at = put_in_place(place, widest);
         }
-        cut(sample.first(place), first, middle);
+        // As part_of() parts them: those that are equal go together.
+        const auto [axis, at] = std::pair(nodes_[number].axis, nodes_[number].at);
+        const auto above = std::ranges::partition(
+            sample, [&](const Point3& p) { return p.*axis < at; });
+        const std::size_t below = sample.size() - above.size();
+        cut(sample.first(below), first, middle);
         nodes_[number].above = nodes_.size();
-        cut(sample.subspan(place), middle, last);
+        cut(sample.subspan(below), middle, last);
     }
 
     std::size_t parts_;

@@ -16,7 +16,7 @@ namespace signum::distributed {
 
 /// Which tessellation: of the plane, in any metric, or of space, in the power metric.
 struct Kind {
-    Metric metric = Metric::power;
+    Metric metric = Power();
     WeightIs weight_is = WeightIs::radius;
     std::size_t dimension = 2;
 };

@@ -230,6 +230,16 @@ class Ball {
     [[nodiscard]] bool may_be_reached_from(const Extent& extent) const noexcept {
         return !(excess(extent) > 0.0);
     }
+    /// In a metric with additive weights, whether f >= h - G at the vertex (part.hpp), n up the axis
+    /// or, where `up` is -1, down, h at the border. On the safe side, as AdditiveReach.
+    [[nodiscard]] bool leads(std::size_t axis, double up, double border,
+                             double greatest) const noexcept {
+        static_assert(!K::is_straight);
+        const double p = axis == 0 ? ball_.x : ball_.y;
+        const double slack = (std::fabs(p) + std::fabs(border)) +
+                             (std::fabs(ball_.rho) + std::fabs(greatest));
+        return !(up * (border - p) > ball_.rho + greatest + (0x1p-50 * slack + 0x1p-1072));
+    }
 
  private:
     static auto made_of(const Corners& face) noexcept {

@@ -1,6 +1,7 @@
 #include "part.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -229,7 +230,13 @@ class PartOf final : public Settling<K> {
             if (is_seen[at(f)] != 0) return;
             is_seen[at(f)] = 1;
             const bool is_infinite = topology_.is_infinite(f);
-            if (!is_infinite && !may_be_reached(f)) return;
+            bool is_reached = false;
+            if (!is_infinite) {
+                is_reached = may_be_reached(f);
+                bool leads_on = is_reached;
+                if constexpr (!K::is_straight) leads_on = this->leads_on(corners(f));
+                if (!leads_on) return;
+            }
             bool has_own = false;
             for (const Index v : topology_.vertices(f)) {
                 has_own = has_own || is_own(v);
@@ -237,7 +244,7 @@ class PartOf final : public Settling<K> {
                 is_taken[at(v)] = 1;
                 reached.push_back({v, f});
             }
-            if (has_own && !is_infinite) result.push_back(f);
+            if (has_own && is_reached) result.push_back(f);
         };
         for (Index f = 0; f < topology_.faces(); ++f) {
             const auto& v = topology_.vertices(f);
@@ -276,10 +283,14 @@ class PartOf final : public Settling<K> {
                 least = std::min(least, each.second.low[weight_place]);
             std::vector<char> stays(sites_.size());
             for (std::size_t v = 0; v < sites_.size(); ++v) {
-                const double r = sites_[v].r - least;
-                stays[v] = static_cast<char>(
-                    sites_[v].x - r > known.low[0] && sites_[v].x + r < known.high[0] &&
-                    sites_[v].y - r > known.low[1] && sites_[v].y + r < known.high[1]);
+                const double x = sites_[v].x;
+                const double y = sites_[v].y;
+                // Two roundings each.
+                const double r = (sites_[v].r - least) +
+                                 0x1p-50 * (std::fabs(sites_[v].r) + std::fabs(least) +
+                                            std::fabs(x) + std::fabs(y));
+                stays[v] = static_cast<char>(x - r > known.low[0] && x + r < known.high[0] &&
+                                             y - r > known.low[1] && y + r < known.high[1]);
             }
             const auto sticks_out = [&](Index v) { return v >= 0 && stays[at(v)] == 0; };
             const auto came = [&](const Index(&v)[3]) {

@@ -16,17 +16,20 @@
 /// in the end. No site that the part knows conflicts with it. One at infinity is as in the whole,
 /// for all neighbours of infinity are known. Of a finite one let t be a site that is not known: its
 /// centre lies beyond the box of the own sites, grown by how far others were asked to look, and so
-/// beyond the line of one of its sides, and its third number is G at most. A face is asked about
+/// beyond the line of one of its sides, and its weight or radius is G at most. A face is asked about
 /// where such a t may reach its vertex (Ball); and *all those are found* by a search from the faces
-/// that have another vertex than own sites, from site to site of the faces that may be reached:
-///  - power, in the plane and in space: the faces in conflict with t lie side by side. One of them
-///    contains t's centre, which the triangle of three own sites cannot, or is at infinity.
-///  - the others: with n towards t's side at a right angle to the line, h the least n·t, and s the
-///    site that is nearest to q, f(q) = d(q, s) - r_s + n·q; a face may be reached where f >= h - G
-///    at its vertex. t takes all points between any of its cell and its centre, and there f >= h -
-///    G. From the centre towards n f does not fall, and in the end one is in a cell without an end.
-///    Where that way crosses an edge, f is no less at one of its ends (parts/reach.hpp), and that
-///    face joins the two sites.
+/// that have another vertex than own sites:
+///  - power, in the plane and in space: from face to face across those that t may reach, for the
+///    faces in conflict with t lie side by side. One of them contains t's centre, which the triangle
+///    of three own sites cannot, or is at infinity.
+///  - the others: from site to site of the faces that lead on. Let n be towards t's side, at a right
+///    angle to the line, h the least n·t there, and f(q) = d(q, s) - r_s + n·q, where s is the site
+///    that is nearest to q. A face leads on where f >= h - G at its vertex. That is more than what t
+///    may reach: beyond the line the vertex of large discs leads on, whatever lies there. t takes
+///    all points between any of its cell and its centre, and there f >= h - G. From the centre
+///    towards n f does not fall, and in the end one is in a cell without an end. Where that way
+///    crosses an edge, f is no less at one of its ends (parts/reach.hpp), and that face joins the
+///    two sites.
 /// Later on all faces that were not there are at sites that came.
 
 #include <array>

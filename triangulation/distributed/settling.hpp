@@ -145,6 +145,17 @@ class Settling : public Part {
         return std::ranges::any_of(
             beyond_, [&](const Extent& side) { return ball.may_be_reached_from(side); });
     }
+    /// Whether a search for faces that sites which are not known may reach goes on at a face: with n
+    /// towards any side of the box, where f >= h - G at its vertex (part.hpp).
+    [[nodiscard]] bool leads_on(const Corners& face) const {
+        if (beyond_.empty()) return false;
+        const Ball<K> ball(face);
+        for (std::size_t axis = 0; axis < K::dimension; ++axis)
+            if (ball.leads(axis, 1.0, searched_.high[axis], greatest_) ||
+                ball.leads(axis, -1.0, searched_.low[axis], greatest_))
+                return true;
+        return false;
+    }
     void ask_about_face(const Corners& face, std::vector<Questions>& questions) {
         const Ball<K> ball(face);
         for_parts_with([&](const Extent& extent) { return ball.may_be_reached_from(extent); },
@@ -193,9 +204,11 @@ class Settling : public Part {
                 if (meet(extent, extent)) unknown_.push_back({q, extent});
             }
         }
+        greatest_ = all.high[weight_place];
         beyond_.clear();
+        if (unknown_.empty()) return;
         for (const Extent& side : sides_of(searched_))
-            if (const Extent extent = overlap(all, side); !unknown_.empty() && meet(extent, extent))
+            if (const Extent extent = overlap(all, side); meet(extent, extent))
                 beyond_.push_back(extent);
     }
     /// The half-spaces beyond the sides of a box, as extents.
@@ -268,6 +281,7 @@ class Settling : public Part {
     Extent searched_ = no_extent();
     std::vector<std::pair<std::size_t, Extent>> unknown_;
     std::vector<Extent> beyond_;  ///< all of it, side by side
+    double greatest_ = -HUGE_VAL;  ///< what weighs any site there, at most
     std::unordered_set<std::int64_t> guests_;
     std::vector<WholeHidden> hidden_;
     Told told_;

@@ -190,7 +190,7 @@ class Answering {
 void check(std::span<const Placed> sites, const Kind& kind) {
     if (kind.weight_is == WeightIs::weight && !traits_of(kind.metric).has_weights)
         throw std::invalid_argument(no_weights(kind.metric));
-    if (kind.dimension == 3 && kind.metric != Metric::power)
+    if (kind.dimension == 3 && !traits_of(kind.metric).edges_are_straight)
         throw std::invalid_argument("of space the power metric alone is known");
     for (const auto& [site, id] : sites)
         if (!are_finite(site))

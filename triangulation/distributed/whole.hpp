@@ -56,6 +56,27 @@ struct Half {
     std::int64_t place;                            ///< as Across has it
 };
 
+/// Ranges of site numbers, in order, about as many as there are items, or one for each number.
+class Buckets {
+ public:
+    /// Of numbers from `first` to before `last`.
+    Buckets(std::int64_t first, std::int64_t last, std::size_t items) noexcept
+        : first_(first),
+          range_(static_cast<std::uint64_t>(last - first)),
+          count_(std::min(static_cast<std::uint64_t>(items) + 1, range_)) {}
+    [[nodiscard]] std::size_t count() const noexcept { return count_; }
+    [[nodiscard]] std::size_t of(std::int64_t site) const noexcept {
+        const auto place = static_cast<std::uint64_t>(site - first_);
+        if (count_ == range_) return place;
+        return static_cast<std::size_t>(static_cast<unsigned __int128>(place) * count_ / range_);
+    }
+
+ private:
+    std::int64_t first_;
+    std::uint64_t range_;
+    std::uint64_t count_;
+};
+
 /// The half of a face or cell across from a corner.
 template <std::size_t corners>
 [[nodiscard]] Half<corners> half_of(const WholeCell<corners>& cell, std::int64_t number,
@@ -91,32 +112,35 @@ struct Across {
 template <std::size_t corners>
 [[nodiscard]] std::vector<Across> joined(std::span<const Half<corners>> halves, std::int64_t first,
                                          std::int64_t last) {
-    std::vector<std::size_t> begins(static_cast<std::size_t>(last - first) + 2);
-    const auto bucket = [&](const Half<corners>& half) {
-        return static_cast<std::size_t>(half.lesser - first);
-    };
+    const Buckets buckets(first, last, halves.size());
+    std::vector<std::size_t> begins(buckets.count() + 2);
+    const auto bucket = [&](const Half<corners>& half) { return buckets.of(half.lesser); };
     for (const Half<corners>& each : halves) ++begins[bucket(each) + 2];
     for (std::size_t b = 2; b < begins.size(); ++b) begins[b] += begins[b - 1];
     struct Dealt {
-        std::array<std::int64_t, corners - 2> others;
+        std::array<std::int64_t, corners - 1> sites;
         std::int64_t place;
     };
     std::vector<Dealt> dealt(halves.size());
     // The begin of each bucket moves to its end.
-    for (const Half<corners>& each : halves)
-        dealt[begins[bucket(each) + 1]++] = {each.others, each.place};
+    for (const Half<corners>& each : halves) {
+        Dealt& to = dealt[begins[bucket(each) + 1]++];
+        to.sites[0] = each.lesser;
+        std::ranges::copy(each.others, to.sites.begin() + 1);
+        to.place = each.place;
+    }
     std::vector<Across> result;
     result.reserve(halves.size());
     for (std::size_t b = 0; b + 1 < begins.size(); ++b) {
-        const std::span<Dealt> of_site =
+        const std::span<Dealt> in_bucket =
             std::span(dealt).subspan(begins[b], begins[b + 1] - begins[b]);
-        std::ranges::sort(of_site, {}, &Dealt::others);
-        for (std::size_t k = 0, end; k < of_site.size(); k = end) {
+        std::ranges::sort(in_bucket, {}, &Dealt::sites);
+        for (std::size_t k = 0, end; k < in_bucket.size(); k = end) {
             end = k + 1;
-            while (end < of_site.size() && of_site[end].others == of_site[k].others) ++end;
+            while (end < in_bucket.size() && in_bucket[end].sites == in_bucket[k].sites) ++end;
             if (end - k != 2) continue;
-            for (const auto& [one, two] : {std::pair(of_site[k].place, of_site[k + 1].place),
-                                           std::pair(of_site[k + 1].place, of_site[k].place)})
+            for (const auto& [one, two] : {std::pair(in_bucket[k].place, in_bucket[k + 1].place),
+                                           std::pair(in_bucket[k + 1].place, in_bucket[k].place)})
                 result.push_back({one, two / 4});
         }
     }
@@ -131,7 +155,7 @@ class SortedCells {
  public:
     /// Those of which the first site, or infinity, is `first` or a later one, but before `last`.
     SortedCells(std::vector<Cell> cells, std::int64_t first, std::int64_t last)
-        : first_(first), begins_(static_cast<std::size_t>(last - first) + 2) {
+        : buckets_(first, last, cells.size()), begins_(buckets_.count() + 2) {
         for (const Cell& cell : cells) ++begins_[bucket(cell) + 2];
         for (std::size_t b = 2; b < begins_.size(); ++b) begins_[b] += begins_[b - 1];
         cells_.resize(cells.size());
@@ -150,12 +174,12 @@ class SortedCells {
 
  private:
     [[nodiscard]] std::size_t bucket(const Cell& cell) const noexcept {
-        return static_cast<std::size_t>(cell[0] - first_);
+        return buckets_.of(cell[0]);
     }
     [[nodiscard]] std::span<Cell> of(std::size_t b) noexcept {
         return std::span(cells_).subspan(begins_[b], begins_[b + 1] - begins_[b]);
     }
-    std::int64_t first_;
+    Buckets buckets_;
     std::vector<std::size_t> begins_;
     std::vector<Cell> cells_;
 };

@@ -2,7 +2,9 @@
 /// The spheres of cells, rounded to floats: whether a site conflicts with a cell is told by them
 /// nearly always, without looking at a single vertex.
 ///
-/// Everything is in a frame in which the sites lie within 1 of the origin along each axis. The
+/// Everything is in a frame. What the lemma says of p and v is asked of sites that lie within 1 of
+/// the frame's origin along each axis and weigh W at most: of others nothing is told, and no sphere
+/// is made (is_in). The
 /// orthosphere of a cell has the centre C and the power rho = |C-v|² - w_v of all its vertices v; a
 /// site p conflicts where f(p) = |p-C|² - w_p - rho < 0. (Without weights, the circumsphere.)
 ///

@@ -94,8 +94,10 @@ class InSphereForm {
             squares += farthest * farthest;
             lengths += farthest;
         }
+        // Near the origin products underflow.
+        const double underflow = 0x1p-1000 * (1.0 + determinant_);
         return value - (determinant_error_ * squares + numerator_error_ * lengths +
-                        0x1p-48 * magnitude);
+                        0x1p-48 * magnitude + underflow);
     }
     /// Whether a site in a finite box may conflict with the cell.
     [[nodiscard]] bool may_be_reached_from(const Box& box) const noexcept {

@@ -79,21 +79,17 @@ class Measuring {
         constexpr CurveKeys layout{28, 12};  // of 2^28 sites at the most
         std::array<AxisRange, 3> ranges;
         for (std::size_t k = 0; k < 3; ++k) {
-            ranges[k].include(result_.box.low.*axes_of_space[k]);
-            ranges[k].include(result_.box.high.*axes_of_space[k]);
+            ranges[k].include(faces_.sites().box().low.*axes_of_space[k]);
+            ranges[k].include(faces_.sites().box().high.*axes_of_space[k]);
         }
         LargeArray<std::uint64_t> keys(has_apex_.size());
         workers_.each_range(keys.size(), [&](std::size_t begin, std::size_t end) {
             const exact::IeeeEnvironment environment;
             for (std::size_t i = begin; i < end; ++i) {
-                const Point3 centre = faces_.sites()[static_cast<Index>(i)].centre;
+                const Point3 eye = faces_.sites().eye(static_cast<Index>(i));
                 std::array<std::uint32_t, 3> cell;
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const auto axis = axes_of_space[k];
-                    const double x = std::clamp(centre.*axis, result_.box.low.*axis,
-                                                result_.box.high.*axis);
-                    cell[k] = ranges[k].cell(x, layout.axis_bits);
-                }
+                for (std::size_t k = 0; k < 3; ++k)
+                    cell[k] = ranges[k].cell(eye.*axes_of_space[k], layout.axis_bits);
                 keys[i] = HilbertCurve<3>::place(cell, layout.axis_bits) << layout.item_bits | i;
             }
         });

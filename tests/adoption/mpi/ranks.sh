@@ -80,6 +80,8 @@ dimension=2
 "$signum" generate random -n 20000 --radius 0:3 -o sites.npy
 same "an array" sites.npy euclidean 1 2 4
 # Headers and remarks; lines that end in CR LF; more ranks than sites.
+printf 'x y r\n0 0 1\n4 0 1\n0 3 0.5\n' >names.txt
+same "names" names.txt euclidean 2
 printf 'x,y,r\r\n0,0,1\r\n# here\r\n\r\n4,0,1\r\n0,3,0.5\r\n' >few.csv
 same "few sites" few.csv euclidean 1 2 7
 printf '0 0\n1 0\n0 1\n1 1\n' >square.txt
@@ -111,6 +113,9 @@ wrong "no array named" 2 'which array' some.h5
 wrong "a metric" 2 'none of power' lines.txt --metric manhatan
 wrong "a metric of space" 2 'power metric alone' lines.txt --dimension 3 --metric euclidean
 wrong "sites of the plane" 2 'x, y, z and perhaps r' line.txt --dimension 3
+for ending in npy h5 json pvtu; do
+  wrong "no folder for .$ending" 3 'none/out' square.txt -o "none/out.$ending"
+done
 head -c 5000 sites.npy >short.npy
 head -c 100000 /dev/zero | tr '\0' 1 >long.txt
 wrong "a line without end" 2 'more than 65536 bytes' long.txt
