@@ -122,8 +122,7 @@ Stretch stretch_of(RankTessellation& tessellation, Communicator& ranks) {
     const std::int64_t first = stretches.begin(ranks.rank());
     const std::int64_t last = stretches.begin(ranks.rank() + 1);
     SortedCells<corners> sorted(
-        ranks.dealt(
-            cells, [&](const WholeCell<corners>& cell) { return stretches.of(cell[0]); }),
+        ranks.dealt(cells, [&](const WholeCell<corners>& cell) { return stretches.of(cell[0]); }),
         stretches.begin_of_faces(ranks.rank()), last);
     const auto count = static_cast<std::int64_t>(sorted.cells().size());
     const std::vector<std::int64_t> counts = ranks.all_of<std::int64_t>(std::array{count});
@@ -175,8 +174,8 @@ Stretch stretch_of(RankTessellation& tessellation, Communicator& ranks) {
     const auto is_waiting = [](const WholeCell<corners>& cell, std::size_t corner) {
         return corners == 4 && cell[0] >= 0 && corner > 0;
     };
-    const std::int64_t times = ranks.most(
-        static_cast<std::int64_t>(corners * sorted.cells().size() / at_a_time + 1));
+    const std::int64_t times =
+        ranks.most(static_cast<std::int64_t>(corners * sorted.cells().size() / at_a_time + 1));
     std::vector<Half<corners>> halves;
     for (std::int64_t time = 0; time < times; ++time) {
         const auto is_due = [&](const Half<corners>& half) { return half.lesser % times == time; };
@@ -189,8 +188,8 @@ Stretch stretch_of(RankTessellation& tessellation, Communicator& ranks) {
             }
             ++number;
         }
-        halves = ranks.dealt(
-            halves, [&](const Half<corners>& half) { return stretches.of(half.lesser); });
+        halves = ranks.dealt(halves,
+                             [&](const Half<corners>& half) { return stretches.of(half.lesser); });
         std::vector<Across> across;
         ranks.together([&] {
             std::ranges::copy_if(waiting, std::back_inserter(halves), is_due);
@@ -211,17 +210,16 @@ Stretch stretch_of(RankTessellation& tessellation, Communicator& ranks) {
     };
     std::vector<Numbered> numbered;
     if constexpr (corners == 3) {
-        const std::vector<Adjacency> asked =
-            ranks.dealt(adjacencies,
-                        [&](const Adjacency& each) { return stretches.of(each.neighbour[0]); });
+        const std::vector<Adjacency> asked = ranks.dealt(
+            adjacencies, [&](const Adjacency& each) { return stretches.of(each.neighbour[0]); });
         ranks.together([&] {
             for (const auto& [face, corner, neighbour] : asked)
                 numbered.push_back(
                     {face, corner,
                      stretch.first_face + static_cast<std::int64_t>(sorted.place_of(neighbour))});
         });
-        numbered = ranks.dealt(numbered,
-                               [&](const Numbered& each) { return stretches.of(each.face[0]); });
+        numbered =
+            ranks.dealt(numbered, [&](const Numbered& each) { return stretches.of(each.face[0]); });
     }
     ranks.together([&] {
         if constexpr (corners == 3)
@@ -252,9 +250,8 @@ RankTessellation triangulate(std::vector<Placed> sites, MPI_Comm comm, const Kin
     std::vector<Point3> points;
     for (const Placed& each : sample) points.push_back(place_of(each));
     const Cuts cuts(std::move(points), ranks.size());
-    result.sites = ranks.dealt(sites, [&](const Placed& each) {
-        return cuts.part_of(place_of(each));
-    });
+    result.sites =
+        ranks.dealt(sites, [&](const Placed& each) { return cuts.part_of(place_of(each)); });
     ranks.together([&] { order_along_curve(result.sites, kind); });
     const SiteStore store(result.sites, kind);
     const std::vector<Placed> common = common_sites(ranks, store, sample, kind);
@@ -267,8 +264,7 @@ RankTessellation triangulate(std::vector<Placed> sites, MPI_Comm comm, const Kin
     });
     RanksExchange exchange(ranks, store);
     result.part = make_part(kind);
-    ranks.together(
-        [&] { result.part->settle(store, others, bounds, ranks.rank(), exchange, {}); });
+    ranks.together([&] { result.part->settle(store, others, bounds, ranks.rank(), exchange, {}); });
     result.cost = {ranks.sent(), result.part->told().sites, result.part->told().rounds,
                    processor_seconds() - start - ranks.seconds()};
     return result;

@@ -1,7 +1,7 @@
 #pragma once
 /// Tessellations whose sites lie on many ranks: each rank gets those faces, in space cells, that
-/// begin in its own sites, and no rank holds all of anything. The result is that of triangulate(), and
-/// the same for every number of ranks.
+/// begin in its own sites, and no rank holds all of anything. The result is that of triangulate(),
+/// and the same for every number of ranks.
 
 #include <mpi.h>
 
@@ -34,16 +34,16 @@ struct RankTessellation {
 ///
 /// Throws on all ranks where it does on one: std::invalid_argument for numbers that are not finite,
 /// weights in a metric without them and another metric of space than that of power,
-/// distributed::NoStructure where no site is visible but one or, in the power metric, all lie on one
-/// line, of space in one plane. Lack of memory on a rank ends all ranks (MPI_Abort). Expected time: that of
-/// triangulate() for a rank's share, and some for the sites near its border. Where most cells reach
-/// far (all sites on one circle, a giant that all others touch) ranks are told of each other's
-/// sites until they know most of them.
+/// distributed::NoStructure where no site is visible but one or, in the power metric, all lie on
+/// one line, of space in one plane. Lack of memory on a rank ends all ranks (MPI_Abort). Expected
+/// time: that of triangulate() for a rank's share, and some for the sites near its border. Where
+/// most cells reach far (all sites on one circle, a giant that all others touch) ranks are told of
+/// each other's sites until they know most of them.
 [[nodiscard]] RankTessellation triangulate(std::vector<distributed::Placed> sites, MPI_Comm comm,
                                            const distributed::Kind& kind);
 
-/// The whole as its arrays say it (arrays.hpp; space/triangulate.hpp), by stretches: rank after rank
-/// has the faces from `first_face` on, the neighbours of each, and hidden sites in order.
+/// The whole as its arrays say it (arrays.hpp; space/triangulate.hpp), by stretches: rank after
+/// rank has the faces from `first_face` on, the neighbours of each, and hidden sites in order.
 struct Stretch {
     std::size_t corners = 3;  ///< of a face; of a cell 4
     std::int64_t faces_of_all = 0;

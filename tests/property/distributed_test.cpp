@@ -36,8 +36,8 @@ void expect_the_same(const StridedSites& sites, Metric metric, std::span<const s
         placed.push_back({sites[i], first_id + static_cast<std::int64_t>(i)});
     for (const std::size_t count : parts) {
         if (!has_structure(whole)) {
-            EXPECT_THROW(static_cast<void>(
-                             distributed::settle_in_parts(placed, {metric, whole.weight_is}, count)),
+            EXPECT_THROW(static_cast<void>(distributed::settle_in_parts(
+                             placed, {metric, whole.weight_is}, count)),
                          distributed::NoStructure)
                 << what;
             continue;

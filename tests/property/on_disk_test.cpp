@@ -53,9 +53,8 @@ Result built(const std::vector<S>& sites, std::size_t slices, Metric metric,
     options.folder = folder;
     options.progress = [&](double share) { result.told.push_back(share); };
     distributed::triangulate_on_disk(
-        in_slices(sites, slices),
-        {.metric = metric, .dimension = std::same_as<S, Site3> ? 3U : 2U}, options,
-        [&](const WholeCounts& counts) { result.counts = counts; },
+        in_slices(sites, slices), {.metric = metric, .dimension = std::same_as<S, Site3> ? 3U : 2U},
+        options, [&](const WholeCounts& counts) { result.counts = counts; },
         [&](std::span<const std::int64_t> numbers) {
             result.numbers.insert(result.numbers.end(), numbers.begin(), numbers.end());
         });
@@ -74,15 +73,17 @@ TEST_P(OnDiskFaces, AreThoseOfTheWhole) {
             numbers.insert(numbers.end(), face.begin(), face.end());
         for (const auto& [slices, parts, threads] :
              {std::array<std::size_t, 3>{1, 1, 1}, {3, 4, 2}, {7, 5, 1}}) {
-            const Result found = built(sites, slices, GetParam(),
-                                       {.parts = in_parts(parts), .threads = static_cast<int>(threads)});
+            const Result found =
+                built(sites, slices, GetParam(),
+                      {.parts = in_parts(parts), .threads = static_cast<int>(threads)});
             ASSERT_EQ(found.numbers, numbers) << name_of(distribution) << ", " << parts << " parts";
             EXPECT_EQ(found.counts.sites, count);
             EXPECT_EQ(found.counts.parts, parts);
             EXPECT_EQ(found.counts.hidden, static_cast<std::int64_t>(whole.hidden().size()));
             EXPECT_EQ(found.counts.faces, static_cast<std::int64_t>(whole.faces().size()));
-            EXPECT_EQ(found.counts.infinite_faces,
-                      std::ranges::count(whole.faces(), -1, [](const Face& face) { return face[0]; }));
+            EXPECT_EQ(
+                found.counts.infinite_faces,
+                std::ranges::count(whole.faces(), -1, [](const Face& face) { return face[0]; }));
             EXPECT_TRUE(std::ranges::is_sorted(found.told));
             EXPECT_EQ(found.told.back(), 1.0);
         }
@@ -105,7 +106,8 @@ TEST(OnDisk, CellsAreThoseOfTheWhole) {
         for (const SpaceCell& cell : whole.cells)
             numbers.insert(numbers.end(), cell.begin(), cell.end());
         for (const std::size_t parts : {1U, 4U}) {
-            const Result found = built(sites, 3, Metric::power, {.parts = in_parts(parts), .threads = 2});
+            const Result found =
+                built(sites, 3, Metric::power, {.parts = in_parts(parts), .threads = 2});
             ASSERT_EQ(found.numbers, numbers) << name_of(distribution) << ", " << parts << " parts";
             EXPECT_EQ(found.counts.hidden, static_cast<std::int64_t>(whole.hidden.size()));
         }

@@ -35,8 +35,8 @@ void expect_the_same_of_parts_apart(const std::vector<S>& sites, const SpaceTess
         placed.push_back({given, first_id + static_cast<std::int64_t>(placed.size())});
     }
     const bool are_weights = std::same_as<S, power::Site3>;
-    const distributed::Kind kind = {
-        Metric::power, are_weights ? WeightIs::weight : WeightIs::radius, 3};
+    const distributed::Kind kind = {Metric::power,
+                                    are_weights ? WeightIs::weight : WeightIs::radius, 3};
     // One number of parts for each of the three, and of few sites more parts than sites.
     constexpr bool has_radii = std::same_as<S, Site3>;
     constexpr std::size_t few = 30;
@@ -216,8 +216,8 @@ TEST(PartsOfSpace, OfAnyMagnitude) {
     }
 }
 
-/// What is out of reach of a cell does not conflict with it, of cells that are all but flat, too; and
-/// what lies well outside its sphere is out of reach.
+/// What is out of reach of a cell does not conflict with it, of cells that are all but flat, too;
+/// and what lies well outside its sphere is out of reach.
 TEST(PartsOfSpace, FormsTellOfNoConflictThatIsThere) {
     // Where products underflow.
     constexpr double least = 0x1p-1074;
@@ -244,9 +244,8 @@ TEST(PartsOfSpace, FormsTellOfNoConflictThatIsThere) {
         if (turn() == 0) continue;
         const Site3& q = sites[4];
         const double wide = random.coin() ? 0.0 : 0.125;
-        const spatial::Box box = {{q.x - wide, q.y - wide, q.z - wide},
-                                  {q.x + wide, q.y + wide, q.z + wide},
-                                  q.r * q.r};
+        const spatial::Box box = {
+            {q.x - wide, q.y - wide, q.z - wide}, {q.x + wide, q.y + wide, q.z + wide}, q.r * q.r};
         const bool is_reached = spatial::InSphereForm(cell, {0, 1, 2, 3}).may_be_reached_from(box);
         const Sign sign = power::in_sphere(sites[0], sites[1], sites[2], sites[3], q);
         ASSERT_TRUE(is_reached || sign < 0) << "trial " << trial;

@@ -43,20 +43,20 @@ inline std::vector<Site> one_side_hides_the_other(int trial) {
 }
 
 /// Large discs in front of a cut, and small ones close together in the gap between these and beyond
-/// it: all that is beyond, but for some at the border of all. Vertices of large discs beyond the cut
-/// lead to them, though no site is there. Turned by a quarter so many times.
+/// it: all that is beyond, but for some at the border of all. Vertices of large discs beyond the
+/// cut lead to them, though no site is there. Turned by a quarter so many times.
 inline std::vector<Site> cluster_behind_large_discs(int trial) {
     Random random(static_cast<std::uint64_t>(trial));
-    std::vector<Site> sites = {{-1, 0, 30},      {-1, 70, 30},   {-1, 35, 2.125}, {-80, 35, 15},
-                               {-100, -100, 0},  {-100, 170, 0}, {100, -100, 0},  {100, 170, 0},
-                               {100, 35, 0},     {12, 35, 0}};
+    std::vector<Site> sites = {{-1, 0, 30},     {-1, 70, 30},   {-1, 35, 2.125}, {-80, 35, 15},
+                               {-100, -100, 0}, {-100, 170, 0}, {100, -100, 0},  {100, 170, 0},
+                               {100, 35, 0},    {12, 35, 0}};
     const double narrow = std::ldexp(1.0, -random.between(4, 12));
     for (int i = 0; i < 700; ++i)
-        sites.push_back({-80 + random.between(-80, 80) * 0.125, 35 + random.between(-40, 40) * 0.125,
-                         0.0});
+        sites.push_back(
+            {-80 + random.between(-80, 80) * 0.125, 35 + random.between(-40, 40) * 0.125, 0.0});
     for (int i = 0; i < 700; ++i)
-        sites.push_back({12 + random.between(1, 200) * narrow,
-                         35 + random.between(-100, 100) * narrow, 0.0});
+        sites.push_back(
+            {12 + random.between(1, 200) * narrow, 35 + random.between(-100, 100) * narrow, 0.0});
     for (Site& site : sites)
         for (int quarter = trial % 4; quarter > 0; --quarter) site = {-site.y, site.x, site.r};
     return sites;

@@ -68,10 +68,8 @@ class Slices {
             lines_ += text.lines;
             put(text.sites);
         } else {
-            const SitesFile file =
-                read_sites(call_.input, {.dimension = dimension_,
-                                         .input = input_,
-                                         .share = {slice, slices_}});
+            const SitesFile file = read_sites(
+                call_.input, {.dimension = dimension_, .input = input_, .share = {slice, slices_}});
             put(file.sites);
             put(file.in_space);
         }
@@ -173,8 +171,7 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
                                      static_cast<std::size_t>(counts.faces), kind.dimension + 1);
                 },
                 [&](std::span<const std::int64_t> numbers) {
-                    put_bytes(out,
-                              std::span<const char>(SiteNumbers(counts.sites).bytes(numbers)));
+                    put_bytes(out, std::span<const char>(SiteNumbers(counts.sites).bytes(numbers)));
                 });
             return 0;
         });

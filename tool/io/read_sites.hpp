@@ -82,7 +82,8 @@ struct ReadOptions {
     } share = {};
 };
 
-/// At least one site, unless a share of many was asked for; all numbers finite; r is a radius or a weight, as the user of the file says.
+/// At least one site, unless a share of many was asked for; all numbers finite; r is a radius or a
+/// weight, as the user of the file says.
 struct SitesFile {
     int dimension = 2;
     std::vector<Site> sites;      ///< in the plane

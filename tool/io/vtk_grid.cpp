@@ -135,7 +135,8 @@ void write_pvtu(std::ostream& out, const VtkGrid& one, std::span<const std::stri
     text.put(
         "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" "
         "NumberOfComponents=\"3\"/>\n</PPoints>\n");
-    for (const std::string& piece : pieces) text.put(FMT_COMPILE("<Piece Source=\"{}\"/>\n"), piece);
+    for (const std::string& piece : pieces)
+        text.put(FMT_COMPILE("<Piece Source=\"{}\"/>\n"), piece);
     text.put("</PUnstructuredGrid>\n</VTKFile>\n");
     text.flush();
 }

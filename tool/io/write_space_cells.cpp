@@ -138,10 +138,10 @@ void write_space_cells_csv(std::ostream& out, const SpaceCells& cells, const Sit
             beyond.push_back(names.number(face.beyond));
             areas.push_back(number_or_blank(face.area));
         }
-        text.put(FMT_COMPILE("{},{},{},{},{},{},{},{},{}\n"), names.number(i), number_or_blank(volume),
-                 number_or_blank(area), number_or_blank(centroid.x), number_or_blank(centroid.y),
-                 number_or_blank(centroid.z), faces.size(), fmt::join(beyond, " "),
-                 fmt::join(areas, " "));
+        text.put(FMT_COMPILE("{},{},{},{},{},{},{},{},{}\n"), names.number(i),
+                 number_or_blank(volume), number_or_blank(area), number_or_blank(centroid.x),
+                 number_or_blank(centroid.y), number_or_blank(centroid.z), faces.size(),
+                 fmt::join(beyond, " "), fmt::join(areas, " "));
     }
     text.flush();
 }

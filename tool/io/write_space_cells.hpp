@@ -30,8 +30,7 @@ void write_space_cells_json(std::ostream& out, const SpaceCells& cells,
 /// One site a line, hidden ones included: volume and area of its cell, the centroid, how many faces
 /// there are, the sites beyond these (the sides of the box from -1 to -6) and their areas, each
 /// list in one column.
-void write_space_cells_csv(std::ostream& out, const SpaceCells& cells,
-                           const SiteNames& names = {});
+void write_space_cells_csv(std::ostream& out, const SpaceCells& cells, const SiteNames& names = {});
 
 /// The polyhedra that have corners, with site, volume and number of faces of each. `cells` are
 /// those of the same sites in the same box.

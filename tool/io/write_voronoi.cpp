@@ -274,8 +274,8 @@ void write_voronoi_csv(std::ostream& out, const ClippedVoronoi& diagram, double 
         std::vector<std::int64_t> neighbours;
         for (const Index each : neighbours_of(voronoi, site))
             neighbours.push_back(names.number(each));
-        piece.put(FMT_COMPILE("{},{},{},{},{},{},{},{},{},{},{}"), names.number(site), at.x, at.y, at.r,
-                  shape.unbounded, shape.clipped, number_or_blank(of.area),
+        piece.put(FMT_COMPILE("{},{},{},{},{},{},{},{},{},{},{}"), names.number(site), at.x, at.y,
+                  at.r, shape.unbounded, shape.clipped, number_or_blank(of.area),
                   number_or_blank(of.perimeter), number_or_blank(of.centroid.x),
                   number_or_blank(of.centroid.y), fmt::join(neighbours, " "));
         for (const Attribute& attribute : attributes)

@@ -38,8 +38,7 @@ void write_voronoi_geojson(std::ostream& out, const ClippedVoronoi& diagram, con
 
 /// One cell a line, with measures, the site's attributes and the polygon as well-known text.
 void write_voronoi_csv(std::ostream& out, const ClippedVoronoi& diagram, double tolerance,
-                       std::span<const Attribute> attributes = {},
-                       const SiteNames& names = {});
+                       std::span<const Attribute> attributes = {}, const SiteNames& names = {});
 
 /// One site a line, its cell in the box as well-known text: POLYGON, MULTIPOLYGON, or POLYGON EMPTY
 /// where it is hidden or does not reach into the box.

@@ -81,10 +81,11 @@ std::string name_of_piece(const std::string& name, std::size_t rank) {
 VtkGrid grid_of_faces(const Known& known, const Kind& kind) {
     VtkGrid grid;
     grid.title = fmt::format("signum: {} tessellation", name_of(kind.metric));
-    grid.of_points = {{"site", known.ids.empty() ||
-                                   known.ids.back() <= std::numeric_limits<std::int32_t>::max(),
-                       {}},
-                      {std::string(name_of(kind.weight_is)), false, {}}};
+    grid.of_points = {
+        {"site",
+         known.ids.empty() || known.ids.back() <= std::numeric_limits<std::int32_t>::max(),
+         {}},
+        {std::string(name_of(kind.weight_is)), false, {}}};
     std::vector<std::int64_t> point(known.ids.size(), -1);
     const auto add = [&](VtkCell shape, const auto& cell) {
         // The least comes first.
@@ -153,11 +154,12 @@ void RankCells::write_table(Communicator& ranks, const std::string& name) const 
         const distributed::Stretches stretches(sites_, ranks.size());
         std::vector<std::vector<Row>> rows(ranks.size());
         std::vector<std::vector<char>> texts(ranks.size());
-        each_row(std::string_view(table_).substr(head), [&](std::int64_t site, std::string_view row) {
-            const std::size_t to = stretches.of(site);
-            rows[to].push_back({site, static_cast<std::int64_t>(row.size())});
-            texts[to].insert(texts[to].end(), row.begin(), row.end());
-        });
+        each_row(std::string_view(table_).substr(head),
+                 [&](std::int64_t site, std::string_view row) {
+                     const std::size_t to = stretches.of(site);
+                     rows[to].push_back({site, static_cast<std::int64_t>(row.size())});
+                     texts[to].insert(texts[to].end(), row.begin(), row.end());
+                 });
         rows = ranks.exchanged(rows);
         texts = ranks.exchanged(texts);
         std::vector<std::pair<std::int64_t, std::string_view>> order;
@@ -174,8 +176,8 @@ void RankCells::write_table(Communicator& ranks, const std::string& name) const 
 
         // Some rank has a head.
         const std::int64_t longest = ranks.most(static_cast<std::int64_t>(head));
-        const std::int64_t writer = ranks.most(
-            head > 0 ? static_cast<std::int64_t>(ranks.rank()) : std::int64_t{-1});
+        const std::int64_t writer =
+            ranks.most(head > 0 ? static_cast<std::int64_t>(ranks.rank()) : std::int64_t{-1});
         const std::int64_t place =
             longest + ranks.sum_before(static_cast<std::int64_t>(text.size()));
         SharedFile file(ranks, name);

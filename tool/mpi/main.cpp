@@ -42,15 +42,17 @@ struct Call {
 /// The metric, by any of its names.
 Metric metric_of(const Call& call) {
     const bool is_space = call.dimension == 3;
-    const auto metric =
-        metric_named(!call.metric.empty() ? call.metric : is_space ? "power" : "euclidean");
+    const auto metric = metric_named(!call.metric.empty() ? call.metric
+                                     : is_space           ? "power"
+                                                          : "euclidean");
     if (!metric)
         throw CLI::ValidationError(
             "--metric",
             fmt::format("'{}' is none of power, euclidean, manhattan, supremum", call.metric));
     if (is_space && !traits_of(*metric).edges_are_straight)
-        throw CLI::ValidationError("--metric", "in space there are tessellations of the power "
-                                               "metric alone");
+        throw CLI::ValidationError("--metric",
+                                   "in space there are tessellations of the power "
+                                   "metric alone");
     return *metric;
 }
 
@@ -93,9 +95,8 @@ std::pair<std::vector<distributed::Placed>, distributed::Kind> read(Communicator
 }
 
 bool asks_for(const Call& call, std::string_view ending) {
-    return std::ranges::any_of(call.outputs, [&](const std::string& output) {
-        return output.ends_with(ending);
-    });
+    return std::ranges::any_of(call.outputs,
+                               [&](const std::string& output) { return output.ends_with(ending); });
 }
 
 void triangulate(Communicator& ranks, const Call& call) {
@@ -112,8 +113,7 @@ void triangulate(Communicator& ranks, const Call& call) {
     });
     for (const std::string& output : call.outputs)
         ranks.together([&] {
-            write(ranks, output,
-                  {sites, built.whole, stretch, kind.metric, kind.weight_is, piece});
+            write(ranks, output, {sites, built.whole, stretch, kind.metric, kind.weight_is, piece});
         });
     summarize(ranks,
               fmt::format("{} hidden, {} {}", stretch.hidden_of_all, stretch.faces_of_all,
@@ -134,7 +134,8 @@ void voronoi(Communicator& ranks, const Call& call) {
                 else
                     complete(ranks, output, [&] { write_pieces(ranks, output, cells.grid()); });
             });
-        const std::int64_t hidden = ranks.sum(static_cast<std::int64_t>(built.part->hidden().size()));
+        const std::int64_t hidden =
+            ranks.sum(static_cast<std::int64_t>(built.part->hidden().size()));
         summarize(ranks, fmt::format("{} cells", built.whole - hidden), built, MPI_Wtime() - start,
                   call);
     });
@@ -155,7 +156,8 @@ End end_of_parsing(const CLI::App& tool, const CLI::ParseError& error, bool spea
 
 End run(Communicator& ranks, int count, char** words) {
     CLI::App tool(
-        "Tessellations of the plane and of space from sites that many ranks hold together: the result of\n"
+        "Tessellations of the plane and of space from sites that many ranks hold together: the "
+        "result of\n"
         "signum triangulate, and the same bytes for every number of ranks.\n"
         "    mpirun -n 8 signum-mpi triangulate sites.h5:/points --radii /radii -o faces.h5");
     tool.require_subcommand(1);
@@ -181,7 +183,8 @@ End run(Communicator& ranks, int count, char** words) {
         command.app->add_option(
             "-m,--metric", call.metric,
             "power, euclidean, manhattan or supremum; default: euclidean, in space power");
-        command.app->add_option("--dimension", call.dimension, "2, or 3 of sites in space: x y z [r]")
+        command.app
+            ->add_option("--dimension", call.dimension, "2, or 3 of sites in space: x y z [r]")
             ->capture_default_str()
             ->check(CLI::IsMember({2, 3}));
         command.app->add_option("--radii", call.radii, "Where in FILE.h5 the radii are");
@@ -201,8 +204,8 @@ End run(Communicator& ranks, int count, char** words) {
         ranks.together([&] {
             tool.parse(count, words);
             static_cast<void>(metric_of(call));
-            command = std::ranges::find_if(
-                commands, [](const Command& each) { return each.app->parsed(); });
+            command = std::ranges::find_if(commands,
+                                           [](const Command& each) { return each.app->parsed(); });
             for (const std::string& name : call.outputs) {
                 const std::size_t dot = name.find_last_of('.');
                 const std::string ending = dot == std::string::npos ? "." : name.substr(dot) + ",";

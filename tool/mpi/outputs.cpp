@@ -113,15 +113,16 @@ class Group {
     Handle group_;
 };
 
-/// Faces, neighbours and hidden sites as signum has them, and the finite faces as triangles, cells as
-/// tetrahedra, between the centres as VTK's readers take them.
+/// Faces, neighbours and hidden sites as signum has them, and the finite faces as triangles, cells
+/// as tetrahedra, between the centres as VTK's readers take them.
 void write_hdf5(Communicator& ranks, const std::string& name, const Whole& whole) {
     const Stretch& stretch = whole.stretch;
     const std::size_t size = stretch.corners;
     std::vector<std::int64_t> corners;
     for (std::size_t c = 0; c < stretch.faces.size(); c += size) {
         const auto cell = stretch.faces.begin() + static_cast<std::ptrdiff_t>(c);
-        if (*cell >= 0) corners.insert(corners.end(), cell, cell + static_cast<std::ptrdiff_t>(size));
+        if (*cell >= 0)
+            corners.insert(corners.end(), cell, cell + static_cast<std::ptrdiff_t>(size));
     }
     const auto finite = static_cast<std::int64_t>(corners.size() / size);
     const std::int64_t first = ranks.sum_before(finite);

@@ -12,9 +12,9 @@
 
 namespace signum::mpi {
 
-/// How names end of what is written: .h5 and .vtkhdf (VTK's HDF5, with the arrays of signum beside),
-/// .npy and .i32 (the faces, as signum writes them), .json (for as many faces as one rank holds),
-/// .pvtu (a piece a rank beside it: the bytes depend on their number).
+/// How names end of what is written: .h5 and .vtkhdf (VTK's HDF5, with the arrays of signum
+/// beside), .npy and .i32 (the faces, as signum writes them), .json (for as many faces as one rank
+/// holds), .pvtu (a piece a rank beside it: the bytes depend on their number).
 [[nodiscard]] std::string endings();
 
 struct Whole {
@@ -25,7 +25,8 @@ struct Whole {
     WeightIs weight_is;
     const VtkGrid& piece;  ///< of this rank; asked for by .pvtu alone
 };
-/// `name` ends as one of them. Collective. Throws NameError, MachineError and std::invalid_argument.
+/// `name` ends as one of them. Collective. Throws NameError, MachineError and
+/// std::invalid_argument.
 void write(Communicator& ranks, const std::string& name, const Whole& whole);
 
 }  // namespace signum::mpi

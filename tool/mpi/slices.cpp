@@ -101,12 +101,11 @@ Slices read_hdf5(Communicator& ranks, const std::string& file, const std::string
         if (!opened.is_there()) throw InputError(file, "this is no file of HDF5");
         const Dataset set(file, opened, path);
         if (set.columns() < dimension || set.columns() > dimension + 1)
-            throw InputError(set.name(),
-                             fmt::format("rows of {} numbers; sites {} have {}, "
-                                         "or {} with a radius or weight",
-                                         set.columns(),
-                                         dimension == 3 ? "of space" : "of the plane", dimension,
-                                         dimension + 1));
+            throw InputError(
+                set.name(), fmt::format("rows of {} numbers; sites {} have {}, "
+                                        "or {} with a radius or weight",
+                                        set.columns(), dimension == 3 ? "of space" : "of the plane",
+                                        dimension, dimension + 1));
         if (set.rows() == 0) throw InputError(set.name(), "no site in this array");
         const auto row_of = [&](std::uint64_t k) {
             return static_cast<std::uint64_t>(static_cast<unsigned __int128>(set.rows()) * k /
@@ -162,9 +161,10 @@ Slices read_slices(Communicator& ranks, const std::string& name, int dimension,
     const SitesInput input = input_by_ending(name.substr(name.find_last_of("./") + 1));
     if (is_array(input)) return read_array(ranks, name, dimension, input);
     if (input != SitesInput::text)
-        throw InputError(name,
-                         "several ranks read lines x y [r] or x y z [r], arrays and HDF5; signum reads the "
-                         "rest");
+        throw InputError(
+            name,
+            "several ranks read lines x y [r] or x y z [r], arrays and HDF5; signum reads the "
+            "rest");
     return read_text(ranks, name, dimension);
 }
 

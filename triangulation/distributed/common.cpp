@@ -50,8 +50,8 @@ std::optional<std::vector<Placed>> endless_of(std::vector<Placed> candidates, co
         });
     } else {
         const std::vector<Site> sites = built_of.template operator()<Site>(in_plane);
-        const Tessellation built = triangulate(
-            {sites, kind.weight_is == WeightIs::weight}, kind.metric, {.threads = 1});
+        const Tessellation built =
+            triangulate({sites, kind.weight_is == WeightIs::weight}, kind.metric, {.threads = 1});
         look_at(built.faces());
         // Elsewhere two sites have a structure.
         if (!traits_of(kind.metric).edges_are_straight) has_structure = !built.faces().empty();
@@ -131,8 +131,7 @@ Farthest::Farthest(const Kind& kind, const Extent& whole)
             for (std::size_t axis = 0; axis < axes; ++axis)
                 across[axis] = cone.vectors[k][axis] - cone.vectors[0][axis];
             const Vector back = {-across[0], -across[1], -across[2]};
-            cone.range.push_back(
-                {-along({{back}, {}}, whole)[0], along({{across}, {}}, whole)[0]});
+            cone.range.push_back({-along({{back}, {}}, whole)[0], along({{across}, {}}, whole)[0]});
         }
     for (std::size_t k = 1; k < dimension(); ++k) strips_of_cone_ *= strips_;
     far_.resize(cones_.size() * strips_of_cone_);
@@ -153,8 +152,7 @@ std::size_t Farthest::strip(std::size_t cone, const Vector& out) const noexcept 
     for (std::size_t k = 1; k < dimension(); ++k) {
         const auto [low, high] = cones_[cone].range[k - 1];
         const auto count = static_cast<double>(strips_);
-        const double place =
-            high > low ? (out[k] - out[0] - low) / (high - low) * count : 0.0;
+        const double place = high > low ? (out[k] - out[0] - low) / (high - low) * count : 0.0;
         number = number * strips_ + static_cast<std::size_t>(std::clamp(place, 0.0, count - 1.0));
     }
     return cone * strips_of_cone_ + number;
@@ -224,8 +222,7 @@ std::vector<Placed> greatest_of(std::span<const Placed> sites, const Kind& kind)
                                      result.begin() + static_cast<std::ptrdiff_t>(most_greatest),
                                      std::greater(), weight_of<K>);
             least = weight_of<K>(result[most_greatest]);
-            std::erase_if(result,
-                          [&](const Placed& each) { return weight_of<K>(each) <= least; });
+            std::erase_if(result, [&](const Placed& each) { return weight_of<K>(each) <= least; });
         };
         for (const Placed& each : sites) {
             if (!(weight_of<K>(each) > least)) continue;

@@ -1,14 +1,15 @@
 #pragma once
 /// The sites that every part knows: those whose cells may have no end, and the greatest.
 ///
-/// Who has a cell without an end is seen from some direction as no other is. Let some vectors g span
-/// a cone, and u be a site that is beyond t along each of them: g·u > g·t, by more than what t's
-/// radius is greater than u's. Then far out in every direction of the cone u is nearer than t:
+/// Who has a cell without an end is seen from some direction as no other is. Let some vectors g
+/// span a cone, and u be a site that is beyond t along each of them: g·u > g·t, by more than what
+/// t's radius is greater than u's. Then far out in every direction of the cone u is nearer than t:
 ///  - power, in the plane and in space: the centre of t is not on the hull of all where that holds
 ///    in cones all around;
 ///  - Euclid: with unit vectors, two that follow one another around: all those between are αg + βg'
 ///    with α + β >= 1;
-///  - supremum, Manhattan: two vertices of the dual norm's ball that follow one another; far out the
+///  - supremum, Manhattan: two vertices of the dual norm's ball that follow one another; far out
+///  the
 ///    norm of q - c is the greater one of g·(q - c) and g'·(q - c).
 /// So t has a cell with an end if for any cone there is such a site. Tried is one that is far out
 /// along the cone's middle and lies in the same strip across as t. Bounds of what rounding does are
@@ -46,7 +47,7 @@ class Farthest {
     };
     using Vector = std::array<double, axes>;
     struct Cone {
-        std::vector<Vector> vectors;              ///< as many as there are dimensions
+        std::vector<Vector> vectors;               ///< as many as there are dimensions
         std::vector<std::array<double, 2>> range;  ///< of the whole across, by each but the first
     };
 
@@ -72,8 +73,8 @@ class Farthest {
 
 /// All that are common, by their numbers: of what endless_among() finds in the parts those whose
 /// cells have no end, and of what greatest_of() finds there the greatest. Throws NoStructure
-/// (part.hpp) where all sites lie on one line, in the power metric, or in one plane, of space, or one
-/// hides all others.
+/// (part.hpp) where all sites lie on one line, in the power metric, or in one plane, of space, or
+/// one hides all others.
 [[nodiscard]] std::vector<Placed> common_of(std::vector<Placed> endless,
                                             std::span<const Placed> greatest, const Kind& kind);
 

@@ -71,8 +71,8 @@ class Cuts {
         }
         // As part_of() parts them: those that are equal go together.
         const auto [axis, at] = std::pair(nodes_[number].axis, nodes_[number].at);
-        const auto above = std::ranges::partition(
-            sample, [&](const Point3& p) { return p.*axis < at; });
+        const auto above =
+            std::ranges::partition(sample, [&](const Point3& p) { return p.*axis < at; });
         const std::size_t below = sample.size() - above.size();
         cut(sample.first(below), first, middle);
         nodes_[number].above = nodes_.size();

@@ -136,8 +136,8 @@ template <class K>
         const Sign sign =
             power::in_sphere_decision(sites[0], sites[1], sites[2], sites[3], sites[4]).sign;
         if (sign != 0) return sign > 0;
-        return power::in_sphere_tie(
-                   sites, numbered<5>({&face[0], &face[1], &face[2], &face[3], &q})) > 0;
+        return power::in_sphere_tie(sites,
+                                    numbered<5>({&face[0], &face[1], &face[2], &face[3], &q})) > 0;
     } else {
         Few<K, 4> few({&face[0], &face[1], &face[2], &q});
         if constexpr (K::is_straight)
@@ -230,14 +230,14 @@ class Ball {
     [[nodiscard]] bool may_be_reached_from(const Extent& extent) const noexcept {
         return !(excess(extent) > 0.0);
     }
-    /// In a metric with additive weights, whether f >= h - G at the vertex (part.hpp), n up the axis
-    /// or, where `up` is -1, down, h at the border. On the safe side, as AdditiveReach.
+    /// In a metric with additive weights, whether f >= h - G at the vertex (part.hpp), n up the
+    /// axis or, where `up` is -1, down, h at the border. On the safe side, as AdditiveReach.
     [[nodiscard]] bool leads(std::size_t axis, double up, double border,
                              double greatest) const noexcept {
         static_assert(!K::is_straight);
         const double p = axis == 0 ? ball_.x : ball_.y;
-        const double slack = (std::fabs(p) + std::fabs(border)) +
-                             (std::fabs(ball_.rho) + std::fabs(greatest));
+        const double slack =
+            (std::fabs(p) + std::fabs(border)) + (std::fabs(ball_.rho) + std::fabs(greatest));
         return !(up * (border - p) > ball_.rho + greatest + (0x1p-50 * slack + 0x1p-1072));
     }
 

@@ -159,8 +159,8 @@ template <std::size_t corners>
 void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions& options,
                    const std::function<void(const WholeCounts&)>& begin,
                    const std::function<void(std::span<const std::int64_t>)>& put) {
-    // More files for what is made than parts, for the first ones have more faces: of three sites one
-    // is among the first half nearly always.
+    // More files for what is made than parts, for the first ones have more faces: of three sites
+    // one is among the first half nearly always.
     const auto files_for = [](std::size_t parts) { return std::min(corners * parts, most_parts); };
     Steps steps(options);
     WholeCounts counts;

@@ -286,9 +286,9 @@ class PartOf final : public Settling<K> {
                 const double x = sites_[v].x;
                 const double y = sites_[v].y;
                 // Two roundings each.
-                const double r = (sites_[v].r - least) +
-                                 0x1p-50 * (std::fabs(sites_[v].r) + std::fabs(least) +
-                                            std::fabs(x) + std::fabs(y));
+                const double r =
+                    (sites_[v].r - least) + 0x1p-50 * (std::fabs(sites_[v].r) + std::fabs(least) +
+                                                       std::fabs(x) + std::fabs(y));
                 stays[v] = static_cast<char>(x - r > known.low[0] && x + r < known.high[0] &&
                                              y - r > known.low[1] && y + r < known.high[1]);
             }

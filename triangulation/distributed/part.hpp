@@ -16,16 +16,17 @@
 /// in the end. No site that the part knows conflicts with it. One at infinity is as in the whole,
 /// for all neighbours of infinity are known. Of a finite one let t be a site that is not known: its
 /// centre lies beyond the box of the own sites, grown by how far others were asked to look, and so
-/// beyond the line of one of its sides, and its weight or radius is G at most. A face is asked about
-/// where such a t may reach its vertex (Ball); and *all those are found* by a search from the faces
-/// that have another vertex than own sites:
+/// beyond the line of one of its sides, and its weight or radius is G at most. A face is asked
+/// about where such a t may reach its vertex (Ball); and *all those are found* by a search from the
+/// faces that have another vertex than own sites:
 ///  - power, in the plane and in space: from face to face across those that t may reach, for the
-///    faces in conflict with t lie side by side. One of them contains t's centre, which the triangle
-///    of three own sites cannot, or is at infinity.
-///  - the others: from site to site of the faces that lead on. Let n be towards t's side, at a right
+///    faces in conflict with t lie side by side. One of them contains t's centre, which the
+///    triangle of three own sites cannot, or is at infinity.
+///  - the others: from site to site of the faces that lead on. Let n be towards t's side, at a
+///  right
 ///    angle to the line, h the least n·t there, and f(q) = d(q, s) - r_s + n·q, where s is the site
-///    that is nearest to q. A face leads on where f >= h - G at its vertex. That is more than what t
-///    may reach: beyond the line the vertex of large discs leads on, whatever lies there. t takes
+///    that is nearest to q. A face leads on where f >= h - G at its vertex. That is more than what
+///    t may reach: beyond the line the vertex of large discs leads on, whatever lies there. t takes
 ///    all points between any of its cell and its centre, and there f >= h - G. From the centre
 ///    towards n f does not fall, and in the end one is in a cell without an end. Where that way
 ///    crosses an edge, f is no less at one of its ends (parts/reach.hpp), and that face joins the
@@ -85,9 +86,9 @@ class NoStructure : public std::runtime_error {
 struct Known {
     std::vector<std::int64_t> ids;
     std::vector<char> are_own;
-    std::vector<Site3> sites;   ///< in the plane z is 0
-    TessellationArrays plane;   ///< of the plane,
-    SpaceTessellation space;    ///< or of space
+    std::vector<Site3> sites;  ///< in the plane z is 0
+    TessellationArrays plane;  ///< of the plane,
+    SpaceTessellation space;   ///< or of space
 };
 
 class Part {
@@ -105,8 +106,7 @@ class Part {
                         const std::stop_token& stop) = 0;
 
     /// The faces or cells whose least site is an own one (WholeCell).
-    virtual void each_face(
-        const std::function<void(std::span<const std::int64_t>)>& put) const = 0;
+    virtual void each_face(const std::function<void(std::span<const std::int64_t>)>& put) const = 0;
     /// Both sides of each edge whose lesser site is an own one, where there are several between its
     /// two sites: of all others the faces tell. In space there are none.
     virtual void each_adjacency(const std::function<void(const Adjacency&)>& put) const = 0;

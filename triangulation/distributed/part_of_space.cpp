@@ -176,9 +176,9 @@ class PartOfSpace final : public Settling<K> {
                    std::max({v[0], v[1], v[2], v[3]}) >= asked_of_ &&
                    std::min({v[0], v[1], v[2], v[3]}) >= 0;
         };
-        const auto owns = [&](const Four& v) { return std::ranges::count_if(v, [&](Index each) {
-            return is_own(each);
-        }); };
+        const auto owns = [&](const Four& v) {
+            return std::ranges::count_if(v, [&](Index each) { return is_own(each); });
+        };
         // From the cells that are not of own sites alone to those beside them, as long as they may
         // be reached (part.hpp). Those that come later are all at sites of others.
         std::vector<char> is_seen(cells.size());
@@ -231,7 +231,7 @@ class PartOfSpace final : public Settling<K> {
     std::optional<spatial::Insertion<Kernel>> insertion_;
     std::vector<spatial::HiddenNear> hidden_;
     std::vector<Hidden> nearest_;  ///< of all that are hidden and known
-    Index asked_of_ = 0;  ///< sites that were there when cells were last asked about
+    Index asked_of_ = 0;           ///< sites that were there when cells were last asked about
 };
 
 }  // namespace

@@ -109,8 +109,9 @@ class Settling : public Part {
 
     /// Known without a structure, and the places of sites among its.
     template <class PlacedOf, class IsOwn>
-    [[nodiscard]] static std::pair<Known, std::vector<Index>> known_sites(
-        const Numbers& numbers, const PlacedOf& placed, const IsOwn& is_own) {
+    [[nodiscard]] static std::pair<Known, std::vector<Index>> known_sites(const Numbers& numbers,
+                                                                          const PlacedOf& placed,
+                                                                          const IsOwn& is_own) {
         Known known;
         const std::vector<Index> order = numbers.in_order();
         std::vector<Index> place(order.size());
@@ -145,8 +146,8 @@ class Settling : public Part {
         return std::ranges::any_of(
             beyond_, [&](const Extent& side) { return ball.may_be_reached_from(side); });
     }
-    /// Whether a search for faces that sites which are not known may reach goes on at a face: with n
-    /// towards any side of the box, where f >= h - G at its vertex (part.hpp).
+    /// Whether a search for faces that sites which are not known may reach goes on at a face: with
+    /// n towards any side of the box, where f >= h - G at its vertex (part.hpp).
     [[nodiscard]] bool leads_on(const Corners& face) const {
         if (beyond_.empty()) return false;
         const Ball<K> ball(face);
@@ -280,7 +281,7 @@ class Settling : public Part {
 
     Extent searched_ = no_extent();
     std::vector<std::pair<std::size_t, Extent>> unknown_;
-    std::vector<Extent> beyond_;  ///< all of it, side by side
+    std::vector<Extent> beyond_;   ///< all of it, side by side
     double greatest_ = -HUGE_VAL;  ///< what weighs any site there, at most
     std::unordered_set<std::int64_t> guests_;
     std::vector<WholeHidden> hidden_;

@@ -101,17 +101,17 @@ class Answering {
         std::array<std::pair<double, const Placed*>, few> near;
         std::size_t count = 0;
         const auto never = [](const auto&, const auto&) { return false; };
-        const bool are_few = tree_.visit(
-            [&](const Extent& box) { return ball.may_be_reached_from(box); }, never,
-            [&](const auto& node) {
-                for (const Placed& site : block_of(sites_, node.first)) {
-                    const double excess = ball.excess(extent_of<K>(site));
-                    if (excess > 0.0) continue;
-                    if (count == few) return false;
-                    near[count++] = {std::isnan(excess) ? -HUGE_VAL : excess, &site};
-                }
-                return true;
-            });
+        const bool are_few =
+            tree_.visit([&](const Extent& box) { return ball.may_be_reached_from(box); }, never,
+                        [&](const auto& node) {
+                            for (const Placed& site : block_of(sites_, node.first)) {
+                                const double excess = ball.excess(extent_of<K>(site));
+                                if (excess > 0.0) continue;
+                                if (count == few) return false;
+                                near[count++] = {std::isnan(excess) ? -HUGE_VAL : excess, &site};
+                            }
+                            return true;
+                        });
         if (are_few) {
             std::ranges::sort(std::span(near).first(count), {},
                               [](const auto& each) { return each.first; });

@@ -34,9 +34,7 @@ class SiteStore {
     [[nodiscard]] std::vector<Placed> sites_where(
         const std::function<bool(const Extent&)>& may_be) const;
     /// A store of other sites, of the same kind.
-    [[nodiscard]] SiteStore of(std::span<const Placed> sites) const {
-        return {sites, kind_};
-    }
+    [[nodiscard]] SiteStore of(std::span<const Placed> sites) const { return {sites, kind_}; }
     /// How far apart sites are that fill their box evenly; 0 of none.
     [[nodiscard]] double spacing() const noexcept;
     /// May be called by several threads.

@@ -1,6 +1,6 @@
 #pragma once
-/// The whole from what parts tell: which faces meet in an edge, which cells in a facet. In an array,
-/// or in stretches of it that ranks hold.
+/// The whole from what parts tell: which faces meet in an edge, which cells in a facet. In an
+/// array, or in stretches of it that ranks hold.
 
 #include <algorithm>
 #include <cstdint>
@@ -17,16 +17,16 @@ class Stretches {
     /// As even as can be.
     Stretches(std::int64_t sites, std::size_t count) {
         for (std::size_t k = 0; k <= count; ++k)
-            begins_.push_back(static_cast<std::int64_t>(static_cast<unsigned __int128>(sites) * k /
-                                                        count));
+            begins_.push_back(
+                static_cast<std::int64_t>(static_cast<unsigned __int128>(sites) * k / count));
     }
     /// Each with about as many of a sample: one of what will be dealt to them.
     Stretches(std::int64_t sites, std::vector<std::int64_t> sample, std::size_t count)
         : begins_(1, 0) {
         std::ranges::sort(sample);
         for (std::size_t k = 1; k < count; ++k)
-            begins_.push_back(sample.empty() ? 0 : std::max(sample[sample.size() * k / count],
-                                                            std::int64_t{0}));
+            begins_.push_back(
+                sample.empty() ? 0 : std::max(sample[sample.size() * k / count], std::int64_t{0}));
         begins_.push_back(sites);
     }
     /// That of a site; of infinity the first.
@@ -51,7 +51,7 @@ class Stretches {
 /// An edge as one of its faces has it, or a facet as one of its cells has.
 template <std::size_t corners>
 struct Half {
-    std::int64_t lesser;  ///< the least of its sites
+    std::int64_t lesser;                           ///< the least of its sites
     std::array<std::int64_t, corners - 2> others;  ///< by their numbers; infinity, -1, is the last
     std::int64_t place;                            ///< as Across has it
 };
@@ -201,8 +201,7 @@ class SortedCells {
                                static_cast<Index>(d)});
     space.neighbours.resize(space.cells.size());
     for (const auto& [place, neighbour] : joined<4>(halves, 0, sites))
-        space
-            .neighbours[static_cast<std::size_t>(place / 4)][static_cast<std::size_t>(place % 4)] =
+        space.neighbours[static_cast<std::size_t>(place / 4)][static_cast<std::size_t>(place % 4)] =
             static_cast<Index>(neighbour);
     return space;
 }

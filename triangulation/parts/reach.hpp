@@ -94,8 +94,7 @@ template <class S>
     const double c_length = fabs(cx) + fabs(cy);
     double error = 0x1p-48 * (b_most * c_length + c_most * b_length) / area +
                    0x1p-23 * (fabs(x) + fabs(y)) + 0x1p-100 * (b_length + c_length);
-    if (!(area > 0x1p-26 * (fabs(bx * cy) + fabs(cx * by)) && area > 0x1p-300))
-        error = HUGE_VAL;
+    if (!(area > 0x1p-26 * (fabs(bx * cy) + fabs(cx * by)) && area > 0x1p-300)) error = HUGE_VAL;
     return Orthoball<2>::from({a.x, a.y}, w, {x, y}, error);
 }
 

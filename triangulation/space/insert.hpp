@@ -81,8 +81,8 @@ class Insertion {
         join(q);
     }
 
-    /// How many sites there will be, after all. Those that lie outside the frame, or weigh more, are
-    /// judged without spheres.
+    /// How many sites there will be, after all. Those that lie outside the frame, or weigh more,
+    /// are judged without spheres.
     void expect(std::size_t sites) { seen_.resize(sites + 1, 0); }
     [[nodiscard]] const Cells& cells() const noexcept { return cells_; }
 

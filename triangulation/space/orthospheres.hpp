@@ -78,8 +78,8 @@ template <power::PowerSite3 S>
 
 /// Whether the lemma holds of a site in the frame: those that the frame was made of are in it.
 [[nodiscard]] inline bool is_in(const Frame& frame, const std::array<double, 4>& site) noexcept {
-    const double farthest = std::max(std::max(std::fabs(site[0]), std::fabs(site[1])),
-                                     std::fabs(site[2]));
+    const double farthest =
+        std::max(std::max(std::fabs(site[0]), std::fabs(site[1])), std::fabs(site[2]));
     return farthest <= 1.0 && static_cast<float>(std::fabs(site[3])) <= frame.largest_weight;
 }
 

@@ -30,8 +30,8 @@ template <power::PowerSite3 S>
 /// The orthosphere of a cell without the vertex at infinity, as a form that is positive outside it:
 /// with x the place of a site from the first site o of the cell,
 ///     D (|x|² - w + w_o) - N·x
-/// where N / 2D is the centre by Cramer's rule (cramer.hpp). Nothing is divided, so that nearly flat
-/// cells, of which there are many at the border of all sites, are told as well as others.
+/// where N / 2D is the centre by Cramer's rule (cramer.hpp). Nothing is divided, so that nearly
+/// flat cells, of which there are many at the border of all sites, are told as well as others.
 class InSphereForm {
  public:
     template <power::PowerSite3 S>
@@ -66,10 +66,10 @@ class InSphereForm {
         is_in_window_ = length > 0x1p-150 && length < 0x1p150 && height < 0x1p300;
     }
 
-    /// A lower bound of the form over the sites in a finite box, above 0 where none conflicts. Along
-    /// each axis the form is a parabola, which is bounded by its value where that is least, to
-    /// within the square of how far that place is rounded. Terms are summed within 2^-48 of their
-    /// magnitudes.
+    /// A lower bound of the form over the sites in a finite box, above 0 where none conflicts.
+    /// Along each axis the form is a parabola, which is bounded by its value where that is least,
+    /// to within the square of how far that place is rounded. Terms are summed within 2^-48 of
+    /// their magnitudes.
     [[nodiscard]] double excess(const Box& box) const noexcept {
         using std::fabs;
         if (!is_in_window_) [[unlikely]]
