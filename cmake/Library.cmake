@@ -63,7 +63,7 @@ check_linker_flag(CXX "LINKER:--version-script=${exports}" SIGNUM_HAS_VERSION_SC
 if(BUILD_SHARED_LIBS AND SIGNUM_HAS_VERSION_SCRIPTS AND NOT SIGNUM_EXPORT_ALL)
   target_link_options(signum PRIVATE "LINKER:--version-script=${exports}" "LINKER:-Bsymbolic-functions")
   set_target_properties(signum PROPERTIES LINK_DEPENDS "${exports}")
-  add_library(signum_static STATIC $<TARGET_OBJECTS:signum> $<TARGET_OBJECTS:signum_signs>)
+  add_library(signum_static STATIC $<TARGET_OBJECTS:signum_signs> $<TARGET_OBJECTS:signum>)
   describe_library(signum_static signum_static ${SIGNUM_NUMBERS} ${SIGNUM_THREADS} Threads::Threads)
   set_target_properties(signum_static PROPERTIES OUTPUT_NAME signum LINKER_LANGUAGE CXX)
   add_library(signum_internals ALIAS signum_static)
