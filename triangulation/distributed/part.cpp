@@ -214,7 +214,7 @@ class PartOf final : public Settling<K> {
     }
     /// Whether sites that are not known may reach a finite face.
     [[nodiscard]] bool may_be_reached(Index f) const {
-        return Settling<K>::may_be_reached(corners(f));
+        return Settling<K>::may_be_reached(Ball<K>(corners(f)));
     }
     [[nodiscard]] std::vector<Index> faces_that_may_be_reached() const {
         std::vector<Index> result;
@@ -232,9 +232,10 @@ class PartOf final : public Settling<K> {
             const bool is_infinite = topology_.is_infinite(f);
             bool is_reached = false;
             if (!is_infinite) {
-                is_reached = may_be_reached(f);
+                const Ball<K> ball(corners(f));
+                is_reached = Settling<K>::may_be_reached(ball);
                 bool leads_on = is_reached;
-                if constexpr (!K::is_straight) leads_on = this->leads_on(corners(f));
+                if constexpr (!K::is_straight) leads_on = this->leads_on(ball);
                 if (!leads_on) return;
             }
             bool has_own = false;
@@ -261,6 +262,7 @@ class PartOf final : public Settling<K> {
     /// Finite ones that came with the last sites, at own sites, that may be reached.
     [[nodiscard]] std::vector<Index> faces_that_came() const {
         std::vector<Index> faces;
+        if (this->unknown().empty()) return faces;
         for (Index f = 0; f < topology_.faces(); ++f) {
             const auto& v = topology_.vertices(f);
             if (std::max({v[0], v[1], v[2]}) < asked_of_ || topology_.is_infinite(f)) continue;

@@ -89,12 +89,7 @@ class PartOfSpace final : public Settling<K> {
  private:
     /// The order of a cell in the whole.
     [[nodiscard]] static WholeCell<4> in_order(const WholeCell<4>& cell) noexcept {
-        const auto is_less = [&](std::size_t a, std::size_t b) {
-            return static_cast<std::size_t>(cell[a] < cell[b]);
-        };
-        const auto& [a, b, c, d] =
-            spatial::even_orders[is_less(0, 1) | is_less(0, 2) << 1 | is_less(0, 3) << 2 |
-                                 is_less(1, 2) << 3 | is_less(1, 3) << 4 | is_less(2, 3) << 5];
+        const auto& [a, b, c, d] = spatial::even_order_of(cell);
         return {cell[a], cell[b], cell[c], cell[d]};
     }
     [[nodiscard]] std::int64_t id(Index v) const noexcept { return numbers_.id(v); }
@@ -189,7 +184,7 @@ class PartOfSpace final : public Settling<K> {
             const Four& v = cells.vertex(c);
             if (!is_new(v)) return;
             const Corners cell = {placed(v[0]), placed(v[1]), placed(v[2]), placed(v[3])};
-            if (!this->may_be_reached(cell)) return;
+            if (!this->may_be_reached(Ball<K>(cell))) return;
             waiting.push_back(c);
             if (owns(v) > 0) this->ask_about_face(cell, questions);
         };

@@ -140,17 +140,14 @@ class Settling : public Part {
     [[nodiscard]] const std::vector<std::pair<std::size_t, Extent>>& unknown() const noexcept {
         return unknown_;
     }
-    [[nodiscard]] bool may_be_reached(const Corners& face) const {
-        if (beyond_.empty()) return false;
-        const Ball<K> ball(face);
+    [[nodiscard]] bool may_be_reached(const Ball<K>& ball) const {
         return std::ranges::any_of(
             beyond_, [&](const Extent& side) { return ball.may_be_reached_from(side); });
     }
     /// Whether a search for faces that sites which are not known may reach goes on at a face: with
     /// n towards any side of the box, where f >= h - G at its vertex (part.hpp).
-    [[nodiscard]] bool leads_on(const Corners& face) const {
+    [[nodiscard]] bool leads_on(const Ball<K>& ball) const {
         if (beyond_.empty()) return false;
-        const Ball<K> ball(face);
         for (std::size_t axis = 0; axis < K::dimension; ++axis)
             if (ball.leads(axis, 1.0, searched_.high[axis], greatest_) ||
                 ball.leads(axis, -1.0, searched_.low[axis], greatest_))

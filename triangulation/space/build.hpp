@@ -50,6 +50,15 @@ inline constexpr auto even_orders = [] {
     } while (std::ranges::next_permutation(number).found);
     return orders;
 }();
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline const std::array<std::uint8_t, 4>& even_order_of(
+    const std::array<Number, 4>& cell) noexcept {
+    const auto is_less = [&](std::size_t a, std::size_t b) {
+        return static_cast<std::size_t>(cell[a] < cell[b]);
+    };
+    return even_orders[is_less(0, 1) | is_less(0, 2) << 1 | is_less(0, 3) << 2 | is_less(1, 2) << 3 |
+                       is_less(1, 3) << 4 | is_less(2, 3) << 5];
+}
 
 /// A hidden site, and one nearby: who hides it, or the nearest vertex where it would have been.
 struct HiddenNear {
@@ -222,12 +231,7 @@ class Builder {
                 }
             return;
         }
-        const auto is_less = [&](std::size_t a, std::size_t b) {
-            return static_cast<std::size_t>(cell[a] < cell[b]);
-        };
-        const auto& [a, b, c, d] =
-            even_orders[is_less(0, 1) | is_less(0, 2) << 1 | is_less(0, 3) << 2 |
-                        is_less(1, 2) << 3 | is_less(1, 3) << 4 | is_less(2, 3) << 5];
+        const auto& [a, b, c, d] = even_order_of(cell);
         cell = {cell[a], cell[b], cell[c], cell[d]};
         neighbour = {neighbour[a], neighbour[b], neighbour[c], neighbour[d]};
     }
