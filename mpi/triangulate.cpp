@@ -10,62 +10,12 @@
 #include "../triangulation/distributed/exchange.hpp"
 #include "../triangulation/distributed/site_store.hpp"
 #include "../triangulation/distributed/whole.hpp"
-#include "communicator.hpp"
+#include "owned_sites.hpp"
 
 namespace signum::mpi {
 namespace {
 
 using namespace distributed;
-
-/// Ranks that ask one another, all at the same time.
-class RanksExchange final : public Exchange {
- public:
-    RanksExchange(Communicator& ranks, const SiteStore& store) : ranks_(ranks), store_(store) {}
-
-    [[nodiscard]] std::vector<Answers> ask(std::vector<Questions> questions) override {
-        std::vector<Questions> coming(questions.size());
-        carry(questions, coming, &Questions::boxes);
-        carry(questions, coming, &Questions::faces);
-        carry(questions, coming, &Questions::edges);
-        carry(questions, coming, &Questions::hidden);
-        std::vector<Answers> answers(questions.size());
-        ranks_.together([&] {
-            for (std::size_t r = 0; r < coming.size(); ++r)
-                if (!coming[r].are_none()) answers[r] = store_.answer(coming[r]);
-        });
-        std::vector<Answers> result(questions.size());
-        carry(answers, result, &Answers::sites);
-        carry(answers, result, &Answers::nearest);
-        return result;
-    }
-    [[nodiscard]] bool is_for_any(bool own) override { return ranks_.most(own ? 1 : 0) != 0; }
-
- private:
-    template <class Message, class T>
-    void carry(std::vector<Message>& to, std::vector<Message>& from,
-               std::vector<T> Message::*member) {
-        std::vector<std::vector<T>> lists;
-        for (Message& each : to) lists.push_back(std::move(each.*member));
-        std::vector<std::vector<T>> coming = ranks_.exchanged(lists);
-        for (std::size_t r = 0; r < from.size(); ++r) from[r].*member = std::move(coming[r]);
-    }
-
-    Communicator& ranks_;
-    const SiteStore& store_;
-};
-
-/// Of all sites so many, as they come by their numbers; all of them where they are few.
-std::vector<Placed> sampled(Communicator& ranks, std::span<const Placed> own, std::int64_t whole,
-                            std::int64_t wanted) {
-    const double share = static_cast<double>(wanted) / static_cast<double>(whole);
-    std::vector<Placed> sample;
-    for (const Placed& each : own)
-        if (static_cast<double>(mix(static_cast<std::uint64_t>(each.id))) * 0x1p-64 < share)
-            sample.push_back(each);
-    sample = ranks.all_of<Placed>(sample);
-    std::ranges::sort(sample, {}, &Placed::id);
-    return sample;
-}
 
 std::vector<Placed> common_sites(Communicator& ranks, const SiteStore& store,
                                  std::span<const Placed> sample, const Kind& kind) {
@@ -246,21 +196,16 @@ RankTessellation triangulate(std::vector<Placed> sites, MPI_Comm comm, const Kin
     result.whole = ranks.sum(static_cast<std::int64_t>(sites.size()));
     if (result.whole == 0) throw NoStructure("no site");
 
-    const std::vector<Placed> sample = sampled(ranks, sites, result.whole, 65'536);
-    std::vector<Point3> points;
-    for (const Placed& each : sample) points.push_back(place_of(each));
-    const Cuts cuts(std::move(points), ranks.size());
-    result.sites =
-        ranks.dealt(sites, [&](const Placed& each) { return cuts.part_of(place_of(each)); });
-    ranks.together([&] { order_along_curve(result.sites, kind); });
+    OwnedSites owned = owned_by_place(ranks, std::move(sites), result.whole, kind);
+    result.sites = std::move(owned.sites);
     const SiteStore store(result.sites, kind);
-    const std::vector<Placed> common = common_sites(ranks, store, sample, kind);
+    const std::vector<Placed> common = common_sites(ranks, store, owned.sample, kind);
     const std::vector<PartBounds> bounds =
         ranks.all_of<PartBounds>(std::array{PartBounds{store.extent_but(common), store.spacing()}});
 
     std::vector<Placed> others;
     std::ranges::copy_if(common, std::back_inserter(others), [&](const Placed& each) {
-        return cuts.part_of(place_of(each)) != ranks.rank();
+        return owned.cuts.part_of(place_of(each)) != ranks.rank();
     });
     RanksExchange exchange(ranks, store);
     result.part = make_part(kind);

@@ -7,7 +7,14 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "../../mpi/communicator.hpp"
+#include "../io/errors.hpp"
 
 namespace signum::mpi {
 
@@ -42,5 +49,59 @@ class Handle {
     H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
     return transfer;
 }
+
+/// The rows that a rank reads of so many: the first one, and how many.
+[[nodiscard]] inline std::pair<std::uint64_t, std::uint64_t> share_of(const Communicator& ranks,
+                                                                      std::uint64_t rows) {
+    const auto begin = [&](std::uint64_t k) {
+        return static_cast<std::uint64_t>(static_cast<unsigned __int128>(rows) * k /
+                                          ranks.size());
+    };
+    return {begin(ranks.rank()), begin(ranks.rank() + 1) - begin(ranks.rank())};
+}
+
+/// An array that is read. Throws InputError.
+class Dataset {
+ public:
+    Dataset(const std::string& file, const Handle& opened, const std::string& path)
+        : name_(file + ":" + path), set_(H5Dopen2(opened, path.c_str(), H5P_DEFAULT), H5Dclose) {
+        if (!set_.is_there())
+            throw InputError(file, fmt::format("there is no array {} in it", path));
+        const Handle space(H5Dget_space(set_), H5Sclose);
+        axes_ = H5Sget_simple_extent_ndims(space);
+        if (axes_ < 1 || axes_ > 2)
+            throw InputError(name_, fmt::format("an array of {} axes; sites are rows", axes_));
+        H5Sget_simple_extent_dims(space, shape_.data(), nullptr);
+    }
+    [[nodiscard]] std::uint64_t rows() const noexcept { return shape_[0]; }
+    [[nodiscard]] std::uint64_t columns() const noexcept { return axes_ == 1 ? 1 : shape_[1]; }
+    [[nodiscard]] const std::string& name() const noexcept { return name_; }
+    /// Some of its rows, as doubles or as 64-bit integers. Collective.
+    template <class Number>
+    [[nodiscard]] std::vector<Number> read(std::uint64_t first, std::uint64_t count) const {
+        if (rows() == 0) return {};
+        const Handle space(H5Dget_space(set_), H5Sclose);
+        const std::array<hsize_t, 2> begin = {first, 0};
+        const std::array<hsize_t, 2> extent = {count, columns()};
+        std::vector<Number> numbers(count * columns());
+        const Handle memory(H5Screate_simple(axes_, extent.data(), nullptr), H5Sclose);
+        H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, extent.data(), nullptr);
+        if (count == 0) {
+            H5Sselect_none(space);
+            H5Sselect_none(memory);
+        }
+        const hid_t type =
+            std::is_same_v<Number, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64;
+        if (H5Dread(set_, type, memory, space, collective_transfer(), numbers.data()) < 0)
+            throw InputError(name_, "it cannot be read as numbers");
+        return numbers;
+    }
+
+ private:
+    std::string name_;
+    Handle set_;
+    int axes_ = 0;
+    std::array<hsize_t, 2> shape_ = {0, 0};
+};
 
 }  // namespace signum::mpi

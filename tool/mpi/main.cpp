@@ -14,10 +14,12 @@
 #include <CLI/CLI.hpp>
 
 #include "../../mpi/triangulate.hpp"
+#include "../../mpi/validate.hpp"
 #include "../../triangulation/metric.hpp"
 #include "../io/errors.hpp"
 #include "cells.hpp"
 #include "outputs.hpp"
+#include "read_stretch.hpp"
 #include "shared_file.hpp"
 #include "slices.hpp"
 
@@ -29,6 +31,7 @@ namespace signum::mpi {
 namespace {
 
 struct Call {
+    std::string tessellation;  ///< that is judged
     std::string sites;
     std::string metric;  ///< power, where nothing is said, in space; Euclid's in the plane
     int dimension = 2;
@@ -141,6 +144,50 @@ void voronoi(Communicator& ranks, const Call& call) {
     });
 }
 
+/// The judgement is: not valid.
+class CheckFailure : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+void validate(Communicator& ranks, const Call& typed) {
+    Call call = typed;
+    const double start = MPI_Wtime();
+    ReadStretch tessellation =
+        read_stretch(ranks, call.tessellation, static_cast<std::size_t>(call.dimension));
+    if (const auto& says = tessellation.says) {
+        if (!call.metric.empty())
+            throw CLI::ValidationError("--metric", call.tessellation + " says it itself");
+        call.metric = name_of(says->kind.metric);
+        call.dimension = static_cast<int>(says->kind.dimension);
+        call.last_is_weight = says->kind.weight_is == WeightIs::weight;
+    }
+    const auto [sites, kind] = read(ranks, call);
+    const std::int64_t whole = ranks.sum(static_cast<std::int64_t>(sites.size()));
+    Validation result;
+    if (tessellation.says && tessellation.says->sites != whole)
+        result.message = fmt::format("the tessellation speaks of {} sites, the input has {}",
+                                     tessellation.says->sites, whole);
+    else
+        result = mpi::validate(sites, std::move(tessellation.stretch),
+                               tessellation.says.has_value(), ranks.get(), kind);
+    if (ranks.rank() == 0) {
+        fmt::print("{}\n", !result.valid       ? "not valid: " + result.message
+                           : !result.canonical ? "valid, not canonical: " + result.message
+                                               : "valid, canonical");
+        std::fflush(stdout);
+        if (!call.is_quiet)
+            fmt::print(stderr, "{} sites, {} metric; {} questions, {} of them in exact numbers; "
+                               "{} rank{}, {:.3g} s\n",
+                       whole, name_of(kind.metric), result.filtered + result.multiprecision,
+                       result.multiprecision, ranks.size(), ranks.size() == 1 ? "" : "s",
+                       MPI_Wtime() - start);
+    }
+    if (!result.valid)
+        throw CheckFailure(fmt::format("{} is not a valid tessellation of {}", call.tessellation,
+                                       call.sites));
+}
+
 /// How a rank has ended.
 struct End {
     int code = 0;
@@ -168,7 +215,7 @@ End run(Communicator& ranks, int count, char** words) {
         std::string endings;  ///< of what is written
         void (*run)(Communicator&, const Call&);
     };
-    const std::array<Command, 2> commands = {
+    const std::array<Command, 3> commands = {
         {{tool.add_subcommand("triangulate",
                               "Faces of all sites, in space cells, from text (x y [r], x y z [r]), "
                               ".npy, .f64 or\nFILE.h5:/path"),
@@ -176,8 +223,15 @@ End run(Communicator& ranks, int count, char** words) {
          {tool.add_subcommand("voronoi",
                               "Cells of all sites in a box around them: areas or volumes, "
                               "neighbours, polygons or polyhedra"),
-          ".csv, .pvtu", voronoi}}};
+          ".csv, .pvtu", voronoi},
+         {tool.add_subcommand("validate",
+                              "Judges a tessellation from scratch, whoever made it: the .h5 of "
+                              "triangulate,\nor .i32, faces alone"),
+          "", validate}}};
     for (const Command& command : commands) {
+        if (command.endings.empty())
+            command.app->add_option("TESSELLATION", call.tessellation, "FILE.h5, or FILE.i32")
+                ->required();
         command.app->add_option("SITES", call.sites, "FILE, or FILE.h5:/path/to/coordinates")
             ->required();
         command.app->add_option(
@@ -192,12 +246,13 @@ End run(Communicator& ranks, int count, char** words) {
                                 "The same of weights, in the power metric");
         command.app->add_flag("--third-is-weight,--last-is-weight", call.last_is_weight,
                               "The last column is a weight, not a radius");
+        command.app->add_flag("--quiet", call.is_quiet, "No summary on standard error");
+        if (command.endings.empty()) continue;
         command.app
             ->add_option("-o,--output", call.outputs,
                          fmt::format("FILE that ends in one of {}; more than once if you like",
                                      command.endings))
             ->required();
-        command.app->add_flag("--quiet", call.is_quiet, "No summary on standard error");
     }
     try {
         const Command* command = nullptr;
@@ -215,12 +270,14 @@ End run(Communicator& ranks, int count, char** words) {
                                           command->endings));
             }
         });
-        command->run(ranks, call);
+        ranks.together([&] { command->run(ranks, call); });
         return {};
     } catch (const CLI::ParseError& error) {
         return end_of_parsing(tool, error, ranks.rank() == 0);
     } catch (const OtherFailed&) {
         return {2, ""};  // who has failed says why
+    } catch (const CheckFailure& failure) {
+        return {1, failure.what()};
     } catch (const InputError& error) {
         return {2, error.what()};
     } catch (const NameError& error) {

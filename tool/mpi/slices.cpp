@@ -50,46 +50,6 @@ Slices read_text(Communicator& ranks, const std::string& name, int dimension) {
 
 // ---- HDF5 --------------------------------------------------------------------------------------
 
-class Dataset {
- public:
-    Dataset(const std::string& file, const Handle& opened, const std::string& path)
-        : name_(file + ":" + path), set_(H5Dopen2(opened, path.c_str(), H5P_DEFAULT), H5Dclose) {
-        if (!set_.is_there())
-            throw InputError(file, fmt::format("there is no array {} in it", path));
-        const Handle space(H5Dget_space(set_), H5Sclose);
-        axes_ = H5Sget_simple_extent_ndims(space);
-        if (axes_ < 1 || axes_ > 2)
-            throw InputError(name_, fmt::format("an array of {} axes; sites are rows", axes_));
-        H5Sget_simple_extent_dims(space, shape_.data(), nullptr);
-    }
-    [[nodiscard]] std::uint64_t rows() const noexcept { return shape_[0]; }
-    [[nodiscard]] std::uint64_t columns() const noexcept { return axes_ == 1 ? 1 : shape_[1]; }
-    [[nodiscard]] const std::string& name() const noexcept { return name_; }
-    /// Some of its rows, as doubles.
-    [[nodiscard]] std::vector<double> read(std::uint64_t first, std::uint64_t count) const {
-        const Handle space(H5Dget_space(set_), H5Sclose);
-        const std::array<hsize_t, 2> begin = {first, 0};
-        const std::array<hsize_t, 2> extent = {count, columns()};
-        std::vector<double> numbers(count * columns());
-        const Handle memory(H5Screate_simple(axes_, extent.data(), nullptr), H5Sclose);
-        H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, extent.data(), nullptr);
-        if (count == 0) {
-            H5Sselect_none(space);
-            H5Sselect_none(memory);
-        }
-        if (H5Dread(set_, H5T_NATIVE_DOUBLE, memory, space, collective_transfer(), numbers.data()) <
-            0)
-            throw InputError(name_, "it cannot be read as numbers");
-        return numbers;
-    }
-
- private:
-    std::string name_;
-    Handle set_;
-    int axes_ = 0;
-    std::array<hsize_t, 2> shape_ = {0, 0};
-};
-
 Slices read_hdf5(Communicator& ranks, const std::string& file, const std::string& path,
                  std::uint64_t dimension, const std::string& radii_path) {
     Slices slices;
@@ -107,13 +67,8 @@ Slices read_hdf5(Communicator& ranks, const std::string& file, const std::string
                                         set.columns(), dimension == 3 ? "of space" : "of the plane",
                                         dimension, dimension + 1));
         if (set.rows() == 0) throw InputError(set.name(), "no site in this array");
-        const auto row_of = [&](std::uint64_t k) {
-            return static_cast<std::uint64_t>(static_cast<unsigned __int128>(set.rows()) * k /
-                                              ranks.size());
-        };
-        const std::uint64_t first = row_of(ranks.rank());
-        const std::uint64_t count = row_of(ranks.rank() + 1) - first;
-        const std::vector<double> places = set.read(first, count);
+        const auto [first, count] = share_of(ranks, set.rows());
+        const std::vector<double> places = set.read<double>(first, count);
         std::vector<double> radii;
         if (!radii_path.empty()) {
             const Dataset of_radii(file, opened, radii_path);
@@ -122,7 +77,7 @@ Slices read_hdf5(Communicator& ranks, const std::string& file, const std::string
                     of_radii.name(),
                     fmt::format("{} rows of {} numbers; {} has {} sites", of_radii.rows(),
                                 of_radii.columns(), set.name(), set.rows()));
-            radii = of_radii.read(first, count);
+            radii = of_radii.read<double>(first, count);
         }
         const std::uint64_t columns = set.columns();
         slices.has_radii = columns > dimension || !radii.empty();

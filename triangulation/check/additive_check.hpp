@@ -25,9 +25,9 @@
 #include <utility>
 #include <vector>
 
-#include "../insertion/edge_interior.hpp"
 #include "../kernels/additive_kernel.hpp"
 #include "../structure/tie_order.hpp"
+#include "additive_questions.hpp"
 #include "arrays_check.hpp"
 #include "near_sites.hpp"
 
@@ -71,29 +71,13 @@ class AdditiveCheck : private ArraysCheck {
  private:
     using Kernel = AdditiveKernel<Predicates, filters::Tally>;
 
-    /// What is asked of one range of a loop, and noted.
-    struct Part : Notes {
-        Kernel kernel;
-        std::uint64_t intervals = 0;  ///< questions that intervals decided
+    using Part = AdditiveQuestions<Kernel>;
 
-        /// Throws if the question is answered yes; where nothing but the tie rule does so, notes
-        /// it. Whether the answer is no. Reasons are given by a function, for they are seldom
-        /// needed.
-        template <class Question, class Why>
-        bool forbid(Question question, Why why) {
-            const auto before = kernel.tally().ties;
-            if (!question()) [[likely]]
-                return true;
-            if (kernel.tally().ties == before) throw Invalid{why()};
-            this->note("by the tie rule " + why());
-            return false;
-        }
-    };
     /// judge(part, i) for 0 … size; see judge_each().
     template <class Judge>
     void judge_all(std::size_t size, std::size_t advances, const Judge& judge) {
         this->judge_each(
-            size, advances, Part{notes(), Kernel(site_.data())},
+            size, advances, Part(notes(), Kernel(site_.data())),
             [&](Part& part, std::size_t i) { judge(part, static_cast<Index>(i)); },
             [this](const Part& part) {
                 const auto& stages = part.kernel.tally().stages;
@@ -103,43 +87,25 @@ class AdditiveCheck : private ArraysCheck {
             });
     }
 
-    /// Every face has its vertex: a circle that touches the three, or at infinity two sites of
-    /// which neither hides the other.
+    /// What messages call a face, and the one across an edge.
+    struct Names {
+        Index face;
+        Index across = infinite;
+        [[nodiscard]] std::string of(Index site) const { return name(site); }
+        [[nodiscard]] std::string of_face() const { return face_name(face); }
+        [[nodiscard]] std::string of_face_across() const { return face_name(across); }
+    };
+
     void check_vertices() {
         judge_all(arrays_.faces.size(), 1, [this](Part& part, Index f) {
-            const Face& v = face(f);
-            if (topology_.is_infinite(f)) {
-                const HalfEdge h = topology_.finite_edge(f);
-                if (part.kernel.hides(topology_.origin(h), topology_.target(h)) ||
-                    part.kernel.hides(topology_.target(h), topology_.origin(h)))
-                    throw Invalid{face_name(f) + " joins a site to one it hides"};
-            } else if (!part.kernel.exists(v[0], v[1], v[2])) {
-                throw Invalid{"no circle touches the sites of " + face_name(f) +
-                              " counterclockwise"};
-            }
+            part.judge_vertex(face(f), Names{f});
         });
     }
-
-    /// Every edge has its stretch: neither end lies nearer to the site across, and on the way
-    /// between them the bisector does not pass through infinity.
     void check_edges() {
         judge_all(arrays_.faces.size(), 3, [this](Part& part, Index f) {
-            ExtendedKernel<Kernel> extended(part.kernel);
             for (unsigned side = 0; side < 3; ++side) {
                 const HalfEdge h = Topology::first_edge(f) + side;
-                const Index across = Topology::face(topology_.twin(h));
-                const Index i = topology_.origin(h);
-                const Index j = topology_.target(h);
-                const Index k = topology_.apex(h);
-                const Index l = topology_.apex(topology_.twin(h));
-                const bool apart =
-                    k == l ||
-                    part.forbid([&] { return extended.conflicts(i, j, k, l); },
-                                [&] { return name(l) + " is in conflict with " + face_name(f); });
-                if (apart && i < j && i != infinite && k != infinite && l != infinite &&
-                    !runs_forward(part.kernel, i, j, k, l))
-                    throw Invalid{"the edge of " + face_name(f) + " and " + face_name(across) +
-                                  " would pass through infinity"};
+                part.judge_edge(topology_.about(h), Names{f, Topology::face(topology_.twin(h))});
             }
         });
     }

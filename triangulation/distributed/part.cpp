@@ -321,10 +321,10 @@ class PartOf final : public Settling<K> {
         return edges;
     }
 
-    [[nodiscard]] std::vector<typename Settling<K>::HiddenBy> hidden_by_known() override {
+    [[nodiscard]] std::vector<HiddenBy> hidden_by_known() override {
         Kernel kernel = this->kernel();
         settle_hiders(topology_, kernel, std::span(hidden_by_), Workers(1));
-        std::vector<typename Settling<K>::HiddenBy> result;
+        std::vector<HiddenBy> result;
         for (Index v = 0; at(v) < own_; ++v)
             if (hidden_by_[at(v)] >= 0) result.push_back({placed(v), placed(hidden_by_[at(v)])});
         return result;

@@ -26,7 +26,6 @@ template <class K>
 class PartOfSpace final : public Settling<K> {
     using S = typename K::S;
     using Kernel = spatial::ExactKernel<S>;
-    using typename Settling<K>::HiddenBy;
 
  public:
     void each_face(const std::function<void(std::span<const std::int64_t>)>& put) const override {

@@ -61,6 +61,40 @@ class Numbers {
     bool are_far_ = false;  ///< ids are beyond an Index
 };
 
+/// A hidden site, and who is nearest to its centre of those that are known.
+using HiddenBy = std::array<Placed, 2>;
+
+[[nodiscard]] inline bool are_some(const std::vector<Questions>& questions) noexcept {
+    return !std::ranges::all_of(questions, &Questions::are_none);
+}
+
+/// Makes it the nearest of all, who may be of any part but `own`, of which all sites are in
+/// extents.
+template <class K>
+void ask_for_nearest(std::vector<HiddenBy>& hidden, std::span<const Extent> extents,
+                     std::size_t own, Exchange& exchange) {
+    std::vector<Questions> questions(extents.size());
+    std::vector<std::vector<std::size_t>> asked(extents.size());
+    for (std::size_t k = 0; k < hidden.size(); ++k) {
+        const auto& [site, by] = hidden[k];
+        const double high = nearness<K>(place_of(site), extent_of<K>(by)).high;
+        for (std::size_t q = 0; q < extents.size(); ++q) {
+            if (q == own || is_empty(extents[q])) continue;
+            if (nearness<K>(place_of(site), extents[q]).low > high) continue;
+            questions[q].hidden.push_back(hidden[k]);
+            asked[q].push_back(k);
+        }
+    }
+    if (!exchange.is_for_any(are_some(questions))) return;
+    const std::vector<Answers> answers = exchange.ask(std::move(questions));
+    for (std::size_t q = 0; q < extents.size(); ++q)
+        for (std::size_t i = 0; i < asked[q].size(); ++i) {
+            auto& [site, by] = hidden[asked[q][i]];
+            const Placed& other = answers[q].nearest[i];
+            if (other.id != by.id && is_nearer<K>(site, other, by)) by = other;
+        }
+}
+
 template <class K>
 class Settling : public Part {
  public:
@@ -104,9 +138,6 @@ class Settling : public Part {
     [[nodiscard]] Told told() const noexcept final { return told_; }
 
  protected:
-    /// A hidden own site, and who is nearest to its centre of those that are known.
-    using HiddenBy = std::array<Placed, 2>;
-
     /// Known without a structure, and the places of sites among its.
     template <class PlacedOf, class IsOwn>
     [[nodiscard]] static std::pair<Known, std::vector<Index>> known_sites(const Numbers& numbers,
@@ -171,9 +202,6 @@ class Settling : public Part {
     /// So many times how far own sites are apart are looked beyond the own box.
     static constexpr double looked_beyond = K::dimension == 3 ? 2.5 : 3.0;
 
-    static bool are_some(const std::vector<Questions>& questions) noexcept {
-        return !std::ranges::all_of(questions, &Questions::are_none);
-    }
     /// What is known of others: all in a box, and nothing beyond its sides.
     void look_around(const SiteStore& own, std::span<const PartBounds> parts, std::size_t number) {
         const auto grown = [&](double by) {
@@ -248,27 +276,9 @@ class Settling : public Part {
                        bool has_own) {
         std::vector<HiddenBy> hidden;
         if (has_own) hidden = hidden_by_known();
-        std::vector<Questions> questions(parts.size());
-        std::vector<std::vector<std::size_t>> asked(parts.size());
-        for (std::size_t k = 0; k < hidden.size(); ++k) {
-            const auto& [site, by] = hidden[k];
-            const double high = nearness<K>(place_of(site), extent_of<K>(by)).high;
-            for (std::size_t q = 0; q < parts.size(); ++q) {
-                if (q == number || is_empty(parts[q].extent)) continue;
-                if (nearness<K>(place_of(site), parts[q].extent).low > high) continue;
-                questions[q].hidden.push_back(hidden[k]);
-                asked[q].push_back(k);
-            }
-        }
-        if (exchange.is_for_any(are_some(questions))) {
-            const std::vector<Answers> answers = exchange.ask(std::move(questions));
-            for (std::size_t q = 0; q < parts.size(); ++q)
-                for (std::size_t i = 0; i < asked[q].size(); ++i) {
-                    auto& [site, by] = hidden[asked[q][i]];
-                    const Placed& other = answers[q].nearest[i];
-                    if (other.id != by.id && is_nearer<K>(site, other, by)) by = other;
-                }
-        }
+        std::vector<Extent> extents;
+        for (const PartBounds& each : parts) extents.push_back(each.extent);
+        ask_for_nearest<K>(hidden, extents, number, exchange);
         hidden_.clear();
         for (const auto& [site, by] : hidden) hidden_.push_back({site.id, by.id});
         std::ranges::sort(hidden_, {}, &WholeHidden::site);
