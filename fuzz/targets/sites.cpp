@@ -1,10 +1,14 @@
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include "../../core/site.hpp"
 #include "../../tool/io/read_sites.hpp"
+#include "../../tool/io/text_slice.hpp"
 #include "../../tool/io/write_sites.hpp"
 
 #include "memory_file.hpp"
@@ -63,6 +67,52 @@ void read_with(Bytes bytes, const ReadOptions& options, SitesFormat format = Sit
     if (result) judge(*result, format);
 }
 
+/// Slices of a file of lines, one after the other: sites, lines, and the first one that is wrong.
+std::optional<TextSlice> read_in_slices(const std::string& path, int dimension, std::uint64_t of) {
+    TextSlice all;
+    for (std::uint64_t number = 0; number < of; ++number) {
+        const auto slice = result_of(path, [&](const std::string& name) {
+            return read_text_slice(name, dimension, number, of);
+        });
+        if (!slice) return std::nullopt;
+        if (slice->wrong && !all.wrong) all.wrong = all.lines + *slice->wrong;
+        if (all.wrong) return all;
+        all.sites.insert(all.sites.end(), slice->sites.begin(), slice->sites.end());
+        all.has_radii = all.has_radii || slice->has_radii;
+        all.lines += slice->lines;
+    }
+    return all;
+}
+
+/// However many there are, and as who reads the whole reads it.
+void judge_slices(Bytes bytes, int dimension) {
+    const MemoryFile file(bytes);
+    const auto numbers = [](const std::vector<Site3>& sites) {
+        std::vector<double> all;
+        for (const Site3& site : sites)
+            all.insert(all.end(), {site.x, site.y, site.z, site.r});
+        return all;
+    };
+    const auto whole = read_in_slices(file.path(), dimension, 1);
+    for (const std::uint64_t of : {2, 3, 7}) {
+        const auto slices = read_in_slices(file.path(), dimension, of);
+        must(slices.has_value() == whole.has_value(), "slices are read otherwise than the whole");
+        if (!whole) continue;
+        must(slices->wrong == whole->wrong, "another line of slices is wrong");
+        if (whole->wrong) continue;
+        must(are_same_numbers(numbers(slices->sites), numbers(whole->sites)) &&
+                 slices->has_radii == whole->has_radii && slices->lines == whole->lines,
+             "slices have other sites");
+    }
+    if (!whole || whole->wrong || whole->sites.empty()) return;
+    const SitesFile read =
+        read_sites(file.path(), {.dimension = dimension, .input = SitesInput::text});
+    std::vector<Site3> sites = read.in_space;
+    for (const Site& site : read.sites) sites.push_back({site.x, site.y, 0.0, site.r});
+    must(are_same_numbers(numbers(sites), numbers(whole->sites)),
+         "slices have other sites than who reads the whole");
+}
+
 }  // namespace
 
 void read_sites_target(Bytes bytes) {
@@ -79,6 +129,8 @@ void read_sites_target(Bytes bytes) {
         read_with(bytes, options, static_cast<SitesFormat>(format));
         format = (format + 1) % 3;
     }
+    judge_slices(bytes, 2);
+    judge_slices(bytes, 3);
 }
 
 void read_xyz_target(Bytes bytes) {

@@ -8,6 +8,7 @@ signum=$1
 signum_mpi=$2
 python=$3
 example=$4
+here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -29,6 +30,14 @@ ranks() {
   on_ranks "$1" "$signum_mpi" "${@:2}"
 }
 
+# judged NAME COUNT ARGUMENTS...: the tessellation is valid and canonical.
+judged() {
+  local name=$1 count=$2
+  shift 2
+  [ "$(ranks "$count" validate "$@" --quiet)" = "valid, canonical" ] ||
+    fail "$name: $count ranks do not find $* valid"
+}
+
 # same NAME SITES METRIC RANKS...: of the plane, and with dimension=3 of space.
 dimension=2
 same() {
@@ -43,6 +52,7 @@ same() {
     cmp -s whole.npy found.npy || fail "$name, $metric, $count ranks: other faces"
     cmp -s "found$1.h5" "found$count.h5" || fail "$name, $metric, $count ranks: another HDF5"
   done
+  judged "$name" "$count" "found$count.h5" "$sites"
 }
 # The same of tables of cells: areas or volumes, and neighbours.
 same_cells() {
@@ -95,7 +105,7 @@ wrong() {
   shift 3
   rm -f out.h5
   local result=0
-  ranks 3 triangulate "$@" -o out.h5 >said 2>&1 || result=$?
+  ranks 3 "${command:-triangulate}" "$@" ${output--o out.h5} >said 2>&1 || result=$?
   [ "$result" -eq "$code" ] || fail "$name: exit code $result, not $code: $(cat said)"
   [ "$(grep -c 'signum-mpi: ' said)" -eq 1 ] || fail "$name: said $(grep -c 'signum-mpi: ' said) times: $(cat said)"
   grep --quiet "$pattern" said || fail "$name: $(cat said)"
@@ -155,6 +165,15 @@ with h5py.File("out.h5") as file:
         for k in (1, 2):
             assert (faces[across[:, corner]] == faces[:, [(corner + k) % 3]]).any(axis=1).all()
 E
+  ranks 3 triangulate in.h5:/points --radii /radii --metric power --quiet -o out.h5 -o out.i32
+  judged "arrays of HDF5" 2 out.h5 in.h5:/points --radii /radii
+  # Faces alone do not say who is hidden, and in the power metric need not.
+  judged "faces alone" 2 out.i32 in.h5:/points --radii /radii --metric power
+  mkdir judged
+  printf '#!/usr/bin/env bash\n%s\nsignum_mpi=%q\nranks "$@"\n' "$(declare -f on_ranks ranks)" "$signum_mpi" >judged/ranks
+  chmod +x judged/ranks
+  (cd judged && "$python" "$here/judged.py" "$signum" ./ranks) || fail "tessellations made wrong"
+  rm -f out.h5
   wrong "no such array" 2 'there is no array /none' in.h5:/none
   wrong "radii beside no sites" 2 'an array of 1 axes\|rows of 1 numbers' in.h5:/radii
 fi
@@ -191,6 +210,16 @@ rows = {int(row["site"]): float(row["volume"]) for row in csv.DictReader(open("c
 assert dict(zip(column("site"), column("volume"))) == {site: v for site, v in rows.items() if v > 0}
 E
 fi
+command=validate output=
+ranks 2 triangulate square.txt --quiet -o square.h5 -o square.i32
+wrong "other sites" 1 'square.h5 is not a valid tessellation of names.txt' square.h5 names.txt
+wrong "another metric" 2 'says it itself' square.h5 square.txt --metric power
+cp square.txt text.h5
+wrong "no tessellation" 2 'no file of HDF5' text.h5 square.txt
+wrong "JSON" 2 'signum validate judges JSON' square.json square.txt
+head -c 50 square.i32 >cut.i32
+wrong "faces cut short" 2 '50 bytes are no rows of 3 numbers' cut.i32 square.txt
+unset command output
 # A rank that dies ends all of them, and leaves no result.
 "$signum" generate random -n 2000000 -o big.npy
 on_ranks 3 "$signum_mpi" triangulate big.npy --quiet -o killed.npy >said 2>&1 &
