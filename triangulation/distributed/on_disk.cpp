@@ -1,134 +1,27 @@
 #include "on_disk.hpp"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
+#include <array>
 #include <atomic>
-#include <cerrno>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
-#include <system_error>
+#include <utility>
 
 #include "../../core/insertion_rounds.hpp"
 #include "../../core/parallel.hpp"
 #include "../options.hpp"
 #include "common.hpp"
 #include "cuts.hpp"
+#include "disk_files.hpp"
 #include "shared_exchange.hpp"
 #include "site_store.hpp"
 #include "whole.hpp"
 
 namespace signum::distributed {
 namespace {
-
-/// Values in a file without a name, which is gone with the process, however that ends.
-template <class T>
-class Scratch {
- public:
-    explicit Scratch(const std::string& folder) {
-        descriptor_ = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-        if (descriptor_ >= 0) return;
-        // Not every file system has such files.
-        std::string name = folder + "/signum_XXXXXX";
-        descriptor_ = ::mkstemp(name.data());
-        if (descriptor_ < 0) fail("no file can be made in " + folder);
-        ::unlink(name.c_str());
-    }
-    Scratch(Scratch&& other) noexcept
-        : descriptor_(std::exchange(other.descriptor_, -1)),
-          size_(other.size_),
-          waiting_(std::move(other.waiting_)) {}
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    Scratch& operator=(Scratch&&) = delete;
-    ~Scratch() {
-        if (descriptor_ >= 0) ::close(descriptor_);
-    }
-
-    [[nodiscard]] std::size_t size() const noexcept { return size_ + waiting_.size(); }
-    void append(const T& value) {
-        waiting_.push_back(value);
-        constexpr std::size_t many = (std::size_t{1} << 16) / sizeof(T);
-        if (waiting_.size() >= many) flush();
-    }
-    void append(std::span<const T> values) {
-        flush();
-        write(values);
-    }
-    [[nodiscard]] std::vector<T> read() {
-        flush();
-        std::vector<T> values(size_);
-        auto* to = reinterpret_cast<char*>(values.data());
-        for (std::size_t done = 0, all = size_ * sizeof(T); done < all;) {
-            const ssize_t count =
-                ::pread(descriptor_, to + done, all - done, static_cast<off_t>(done));
-            if (count < 0 && errno == EINTR) continue;
-            if (count <= 0) fail("a file of the work cannot be read");
-            done += static_cast<std::size_t>(count);
-        }
-        return values;
-    }
-    [[nodiscard]] int descriptor() {
-        flush();
-        return descriptor_;
-    }
-
- private:
-    [[noreturn]] static void fail(const std::string& what) {
-        throw std::system_error(errno, std::generic_category(), what);
-    }
-    void flush() {
-        write(waiting_);
-        waiting_.clear();
-    }
-    void write(std::span<const T> values) {
-        const auto* from = reinterpret_cast<const char*>(values.data());
-        for (std::size_t done = 0, all = values.size_bytes(); done < all;) {
-            const ssize_t count = ::write(descriptor_, from + done, all - done);
-            if (count < 0 && errno == EINTR) continue;
-            if (count < 0) fail("the files of the work cannot be written");
-            done += static_cast<std::size_t>(count);
-        }
-        size_ += values.size();
-    }
-    int descriptor_;
-    std::size_t size_ = 0;
-    std::vector<T> waiting_;
-};
-
-/// All values of a file, read as they are asked for.
-template <class T>
-class Mapped {
- public:
-    explicit Mapped(Scratch<T>& file) : size_(file.size()) {
-        if (size_ == 0) return;
-        void* const at =
-            ::mmap(nullptr, size_ * sizeof(T), PROT_READ, MAP_PRIVATE, file.descriptor(), 0);
-        if (at == MAP_FAILED)
-            throw std::system_error(errno, std::generic_category(), "the sites cannot be mapped");
-        values_ = static_cast<const T*>(at);
-    }
-    Mapped(const Mapped&) = delete;
-    Mapped& operator=(const Mapped&) = delete;
-    ~Mapped() {
-        if (values_ != nullptr) ::munmap(const_cast<T*>(values_), size_ * sizeof(T));
-    }
-    [[nodiscard]] std::span<const T> all() const noexcept { return {values_, size_}; }
-    /// What has been read is no longer kept.
-    void forget() const noexcept {
-        if (values_ != nullptr)
-            ::madvise(const_cast<T*>(values_), size_ * sizeof(T), MADV_DONTNEED);
-    }
-
- private:
-    std::size_t size_;
-    const T* values_ = nullptr;
-};
 
 /// How far the work is.
 class Steps {
@@ -197,8 +90,10 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
     const Cuts cuts(std::move(points), parts);
 
     // And once more, for the parts.
-    std::vector<std::size_t> begins(1, 0);
-    Scratch<Placed> in_parts(options.folder);
+    std::vector<std::optional<Mapped<Placed>>> mapped(parts);
+    const auto forget = [&] {
+        for (const auto& each : mapped) each->forget();
+    };
     {
         std::vector<Scratch<Placed>> dealt;
         for (std::size_t k = 0; k < parts; ++k) dealt.emplace_back(options.folder);
@@ -207,24 +102,23 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
                 dealt[cuts.part_of(place_of(each))].append(each);
             steps.step();
         }
-        while (!dealt.empty()) {
+        for (std::size_t k = parts; k-- > 0;) {
             // The last one first, so that each is gone when it has been read.
             std::vector<Placed> own = dealt.back().read();
             dealt.pop_back();
             order_along_curve(own, kind);
-            in_parts.append(own);
-            begins.push_back(in_parts.size());
+            Scratch<Placed> in_order(options.folder);
+            in_order.append(own);
+            mapped[k].emplace(in_order);
             steps.step();
         }
     }
-    const Mapped<Placed> mapped(in_parts);
     std::vector<SiteStore> stores;
     Extent whole = no_extent();
-    // The last part came first.
-    for (std::size_t k = parts; k-- > 0;) {
-        stores.emplace_back(mapped.all().subspan(begins[k], begins[k + 1] - begins[k]), kind);
+    for (const auto& own : mapped) {
+        stores.emplace_back(own->all(), kind);
         if (!is_empty(stores.back().extent())) whole.include(stores.back().extent());
-        mapped.forget();
+        own->forget();
     }
 
     Farthest farthest(kind, whole);
@@ -237,13 +131,13 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
     for (const SiteStore& store : stores) {
         add(candidates, endless_among(store, farthest));
         add(greatest, greatest_of(store.sites(), kind));
-        mapped.forget();
+        forget();
     }
     const std::vector<Placed> common = common_of(std::move(candidates), greatest, kind);
     std::vector<PartBounds> bounds;
     for (const SiteStore& store : stores) {
         bounds.push_back({store.extent_but(common), store.spacing()});
-        mapped.forget();
+        forget();
     }
 
     // Faces go to files by their first sites.
@@ -270,7 +164,7 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
             counts.infinite_faces += cell[0] < 0 ? 1 : 0;
             files[stretches.of(cell[0])].append(cell);
         });
-        mapped.forget();
+        forget();
         steps.step();
     });
 
