@@ -99,8 +99,10 @@ std::string modified(const std::string& path) {
 /// Where the pieces of an output lie: on its own file system, so that it can be renamed.
 std::string parts_of(const std::string& output) {
     std::error_code ignored;
-    const std::string path = std::filesystem::weakly_canonical(output, ignored).string();
-    return (path.empty() ? output : path) + ".parts";
+    const std::string path = std::filesystem::is_symlink(output, ignored)
+                                 ? std::filesystem::weakly_canonical(output, ignored).string()
+                                 : output;
+    return path + ".parts";
 }
 
 /// Pieces in a folder whose manifest says which sites and parts they are of.
