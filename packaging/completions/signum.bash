@@ -7,7 +7,7 @@ _signum() {
         return
     fi
     case $command in
-        triangulate) options='--help --columns --metric --weight-is --seed --threads --quiet --dimension --read-as --method --order --arithmetic --memory --output --format --clip --vertices --stats --check' ;;
+        triangulate) options='--help --columns --metric --weight-is --seed --threads --quiet --dimension --read-as --method --order --arithmetic --memory --resume --output --format --clip --vertices --stats --check' ;;
         voronoi) options='--help --columns --metric --weight-is --seed --threads --quiet --dimension --read-as --clip --tolerance --carry --merge --output --format' ;;
         compare) options='--help --columns --metric --weight-is --seed --threads --quiet --dimension --read-as --arithmetic --against --seconds --json --output --format' ;;
         sign) options='--help --dimension --sphere --metric --weight-is --json' ;;

@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -31,6 +32,8 @@ struct Circumstances {
     std::string out = {};  ///< a file of its own when empty
     rlim_t file_size = RLIM_INFINITY;
     int signal_after_ms = 0;  ///< SIGINT then, when not 0
+    /// Asked each millisecond; once it is true the tool is killed.
+    std::function<bool()> kill_when = {};
 };
 
 inline Outcome run(const Words& words, const Circumstances& circumstances = {}) {
@@ -62,7 +65,14 @@ inline Outcome run(const Words& words, const Circumstances& circumstances = {}) 
         ::kill(child, SIGINT);
     }
     int status = 0;
-    ::waitpid(child, &status, 0);
+    if (circumstances.kill_when) {
+        while (::waitpid(child, &status, WNOHANG) == 0) {
+            if (circumstances.kill_when()) ::kill(child, SIGKILL);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    } else {
+        ::waitpid(child, &status, 0);
+    }
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
             circumstances.out.empty() ? contents(out) : "", contents(err)};
 }

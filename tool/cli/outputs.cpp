@@ -177,11 +177,12 @@ void print(std::string_view text) {
     out.flush();
 }
 
-Outputs::Outputs(std::span<const Target> targets) : targets_(targets) {
+Outputs::Outputs(std::span<const Target> targets, const std::string& folder) : targets_(targets) {
     for (const Target& target : targets) {
         if (converted(target.format) && !converter_) converter_.emplace();
-        files_.push_back(
-            target.path == standard_output ? nullptr : std::make_unique<OutputFile>(target.path));
+        files_.push_back(target.path == standard_output
+                             ? nullptr
+                             : std::make_unique<OutputFile>(target.path, folder));
     }
 }
 

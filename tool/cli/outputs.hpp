@@ -92,8 +92,9 @@ struct Writer {
 class Outputs {
  public:
     /// Opens all files, and finds the program that makes png and pdf: a directory that cannot be
-    /// written should not cost minutes. The targets must outlive the object.
-    explicit Outputs(std::span<const Target> targets);
+    /// written should not cost minutes. The targets must outlive the object. Unfinished files lie
+    /// in `folder`, or each beside its target.
+    explicit Outputs(std::span<const Target> targets, const std::string& folder = {});
 
     /// Writes every target; files appear under their names when all are complete. What is made of a
     /// picture is written by the writer of svg.

@@ -35,10 +35,9 @@ namespace signum::cli {
 namespace {
 
 /// The call as it was typed.
-struct TriangulateCall : SitesCall, OutputsCall {
+struct TriangulateCall : SitesCall, OutputsCall, MemoryCall {
     std::string method = "incremental";
     std::string order = "index";
-    std::string memory;
     std::vector<double> clip;
     bool vertices = false;
     bool check = false;
@@ -203,8 +202,11 @@ void run(const TriangulateCall& call) {
             throw CallError(
                 "--memory goes with the exact insertion, the order index, and neither --check nor "
                 "--stats; leave --method, --arithmetic, --order, --check and --stats out");
-        return triangulate_within(call.memory, call, targets);
+        return triangulate_within(call, call, targets);
     }
+    if (call.resume)
+        throw CallError(
+            "--resume goes with --memory, as in --memory 4G; add it, or leave --resume out");
     const InputSites sites = read_input(call);
     if (sites.file.dimension == 3) return triangulate_in_space(call, sites, targets);
     require_formats_of(Dimension::two, targets, triangulate_formats, call.input);
@@ -282,7 +284,7 @@ void add_triangulate(CLI::App& tool) {
                 "single          floats, which round\n"
                 "In space exact and naive alone.")
         ->capture_default_str();
-    add_memory(*command, call->memory);
+    add_memory(*command, *call);
     add_outputs(*command, *call, triangulate_formats, "without it the result goes there, as JSON");
     add_clip(*command, call->clip,
              "The box that a picture shows. Default: all sites\nwith some room around them");
@@ -300,6 +302,7 @@ void add_triangulate(CLI::App& tool) {
         "  signum triangulate sites.txt --clip 0 0 10 10 -o part.svg\n"
         "  signum triangulate balls.txt --dimension 3 --metric power -o grid.vtu\n"
         "  signum triangulate sites.npy --memory 4G -o faces.npy\n"
+        "  signum triangulate sites.npy --memory 4G -o faces.npy --resume\n"
         "  signum triangulate sites.node -o sites.ele -o sites.neigh -o picture.pdf");
     command->callback([call] { run(*call); });
 }

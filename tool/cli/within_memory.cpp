@@ -1,5 +1,8 @@
 #include "within_memory.hpp"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
 #include <chrono>
@@ -9,6 +12,7 @@
 #include <system_error>
 #include <vector>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "../../core/parallel.hpp"
@@ -20,6 +24,7 @@
 #include "../study/timing.hpp"
 
 #include "commands.hpp"
+#include "parts_folder.hpp"
 #include "progress.hpp"
 
 namespace signum::cli {
@@ -84,11 +89,49 @@ class Slices {
     std::int64_t lines_ = 0;
 };
 
+/// When a file was last written to.
+std::string modified(const std::string& path) {
+    struct stat status = {};
+    if (::stat(path.c_str(), &status) != 0) return {};
+    return fmt::format("{:%FT%T}.{:09}Z", fmt::gmtime(status.st_mtim.tv_sec),
+                       status.st_mtim.tv_nsec);
+}
+/// Where the pieces of an output lie: on its own file system, so that it can be renamed.
+std::string parts_of(const std::string& output) {
+    std::error_code ignored;
+    const std::string path = std::filesystem::is_symlink(output, ignored)
+                                 ? std::filesystem::weakly_canonical(output, ignored).string()
+                                 : output;
+    return path + ".parts";
+}
+
+/// Pieces in a folder whose manifest says which sites and parts they are of.
+distributed::Pieces pieces_in(PartsFolder& folder, bool quiet) {
+    return {.folder = folder.path(),
+            .belong =
+                [&folder](const distributed::WholeCounts& counts) {
+                    folder.require({{"sites", counts.sites},
+                                    {"parts", counts.parts},
+                                    {"checksum", fmt::format("{:016x}", counts.checksum)}});
+                    folder.write();
+                },
+            .found =
+                [&folder, quiet](const distributed::PiecesFound& found) {
+                    // The bar of progress may be there.
+                    if (::isatty(STDERR_FILENO) != 0) say("\r\033[K");
+                    for (const std::string& name : found.damaged)
+                        say("signum: {} is damaged, and is made anew\n", name);
+                    if (!quiet)
+                        say("taken    {} of {} pieces, from {}\n", found.whole, found.all,
+                            folder.path());
+                }};
+}
+
 }  // namespace
 
-void add_memory(CLI::App& command, std::string& memory) {
+void add_memory(CLI::App& command, MemoryCall& call) {
     command
-        .add_option("--memory", memory,
+        .add_option("--memory", call.memory,
                     "How much memory to take, as in 512M or 4G: what\n"
                     "does not fit lies on the disk beside -o meanwhile.\n"
                     "From lines x y [r], of space x y z [r], .npy or\n"
@@ -102,11 +145,16 @@ void add_memory(CLI::App& command, std::string& memory) {
                                             "512M or 4G";
             },
             ""));
+    command.add_flag("--resume", call.resume,
+                     "With --memory: keeps what is done in a folder\n"
+                     "beside -o, FILE.parts. Where a call is cut off, the\n"
+                     "same call goes on from there; one that ends well\n"
+                     "removes the folder");
 }
 
-void triangulate_within(const std::string& memory, const SitesCall& call,
+void triangulate_within(const MemoryCall& memory, const SitesCall& call,
                         std::span<const Target> targets) {
-    const std::uint64_t bytes = bytes_of(memory).value();
+    const std::uint64_t bytes = bytes_of(memory.memory).value();
     const Target& target = targets.front();
     if (targets.size() != 1 || (target.format != "npy" && target.format != "i32"))
         throw CallError(
@@ -149,11 +197,24 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
         throw CallError(
             fmt::format("--memory {} is too little for the {} sites of {}: its parts "
                         "would be more than {}",
-                        memory, sites, call.input, distributed::most_parts));
+                        memory.memory, sites, call.input, distributed::most_parts));
     };
 
     const auto start = std::chrono::steady_clock::now();
-    const Outputs outputs(targets);
+    std::optional<PartsFolder> kept;
+    if (memory.resume) {
+        if (target.path == standard_output)
+            throw CallError("--resume keeps pieces beside a file; give one by -o");
+        kept.emplace(parts_of(target.path));
+        kept->require({{"format", "signum.parts"},
+                       {"version", 1},
+                       {"input_bytes", size},
+                       {"input_modified", modified(call.input)},
+                       {"metric", name_of(metric)},
+                       {"weight_is", are_weights ? "weight" : "radius"},
+                       {"dimension", dimension}});
+    }
+    const Outputs outputs(targets, kept ? kept->path() : std::string());
     distributed::WholeCounts counts;
     Slices slices(call, dimension, input, size);
     const auto write = [&](std::ostream& out) {
@@ -162,7 +223,9 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
                 slices.view(), kind,
                 {.parts = parts,
                  .threads = call.threads,
-                 .folder = std::filesystem::absolute(target.path).parent_path().string(),
+                 .folder = kept ? kept->path()
+                                : std::filesystem::absolute(target.path).parent_path().string(),
+                 .pieces = kept ? pieces_in(*kept, call.quiet) : distributed::Pieces(),
                  .progress = show},
                 [&](const distributed::WholeCounts& known) {
                     counts = known;
@@ -176,12 +239,19 @@ void triangulate_within(const std::string& memory, const SitesCall& call,
             return 0;
         });
     };
+    constexpr std::string_view goes_on = "; the same call goes on from what is done";
     try {
         outputs.write({{"npy", write}, {"i32", write}});
+        if (kept) kept->remove();
     } catch (const distributed::NoStructure& error) {
+        if (kept) kept->remove();
         throw CallError(fmt::format("{}: {}; leave --memory out", call.input, error.what()));
     } catch (const std::system_error& error) {
-        throw MachineError(fmt::format("beside {}: {}", target.path, error.what()));
+        throw MachineError(
+            fmt::format("beside {}: {}{}", target.path, error.what(), kept ? goes_on : ""));
+    } catch (const MachineError& error) {
+        if (!kept) throw;
+        throw MachineError(fmt::format("{}{}", error.what(), goes_on));
     }
     if (call.quiet) return;
     say("sites    {}{}\n", counts.sites, are_weights ? ", the last number a weight" : "");

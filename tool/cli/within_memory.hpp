@@ -1,6 +1,6 @@
 #pragma once
 /// signum triangulate --memory: sites that are read slice by slice, into faces that are written as
-/// they come.
+/// they come. With --resume, a call that is cut off leaves pieces of its work to the next one.
 
 #include <cstdint>
 #include <span>
@@ -13,12 +13,18 @@
 
 namespace signum::cli {
 
-/// Adds --memory; `memory` is empty where it is not given.
-void add_memory(CLI::App& command, std::string& memory);
+struct MemoryCall {
+    std::string memory;  ///< empty where it is not given
+    bool resume = false;
+};
 
-/// Precondition: the call has no option but those of add_sites() and --memory. Throws CallError
-/// where the file, or what is to be written, cannot be had slice by slice.
-void triangulate_within(const std::string& memory, const SitesCall& call,
+/// Adds --memory and --resume.
+void add_memory(CLI::App& command, MemoryCall& call);
+
+/// Precondition: the call has no option but those of add_sites(), --memory and --resume. Throws
+/// CallError where the file, or what is to be written, cannot be had slice by slice, and where
+/// there are pieces of another call.
+void triangulate_within(const MemoryCall& memory, const SitesCall& call,
                         std::span<const Target> targets);
 
 }  // namespace signum::cli

@@ -88,7 +88,8 @@ DescriptorStream::DescriptorStream(int descriptor, std::string name)
     exceptions(std::ios::badbit | std::ios::failbit);
 }
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_) {
+OutputFile::OutputFile(std::string path, const std::string& folder)
+    : path_(std::move(path)), target_(path_) {
     struct stat status = {};
     const bool exists = ::stat(path_.c_str(), &status) == 0;
     if (exists && S_ISDIR(status.st_mode)) fail(path_, EISDIR);
@@ -102,8 +103,9 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
         if (exists) target_ = std::filesystem::canonical(path_, ignored).string();
         if (target_.empty()) target_ = path_;
         const std::size_t slash = target_.rfind('/');
-        const std::string directory =
-            slash == std::string::npos ? std::string() : target_.substr(0, slash + 1);
+        const std::string directory = !folder.empty()              ? folder + "/"
+                                      : slash == std::string::npos ? std::string()
+                                                                   : target_.substr(0, slash + 1);
         unfinished_ =
             fmt::format("{}.signum-{:x}-{:08x}.tmp", directory, ::getpid(), std::random_device()());
         slot_ = protect(unfinished_.c_str());

@@ -45,8 +45,8 @@ class DescriptorStream final : public std::ostream {
 
 class OutputFile {
  public:
-    /// Creates the file beside `path`, in the same directory.
-    explicit OutputFile(std::string path);
+    /// Creates the file beside `path`, in the same directory, or in another one of its file system.
+    explicit OutputFile(std::string path, const std::string& folder = {});
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
     ~OutputFile();

@@ -1,134 +1,27 @@
 #include "on_disk.hpp"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
+#include <array>
 #include <atomic>
-#include <cerrno>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
-#include <system_error>
+#include <utility>
 
 #include "../../core/insertion_rounds.hpp"
 #include "../../core/parallel.hpp"
 #include "../options.hpp"
 #include "common.hpp"
 #include "cuts.hpp"
+#include "disk_files.hpp"
 #include "shared_exchange.hpp"
 #include "site_store.hpp"
 #include "whole.hpp"
 
 namespace signum::distributed {
 namespace {
-
-/// Values in a file without a name, which is gone with the process, however that ends.
-template <class T>
-class Scratch {
- public:
-    explicit Scratch(const std::string& folder) {
-        descriptor_ = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-        if (descriptor_ >= 0) return;
-        // Not every file system has such files.
-        std::string name = folder + "/signum_XXXXXX";
-        descriptor_ = ::mkstemp(name.data());
-        if (descriptor_ < 0) fail("no file can be made in " + folder);
-        ::unlink(name.c_str());
-    }
-    Scratch(Scratch&& other) noexcept
-        : descriptor_(std::exchange(other.descriptor_, -1)),
-          size_(other.size_),
-          waiting_(std::move(other.waiting_)) {}
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    Scratch& operator=(Scratch&&) = delete;
-    ~Scratch() {
-        if (descriptor_ >= 0) ::close(descriptor_);
-    }
-
-    [[nodiscard]] std::size_t size() const noexcept { return size_ + waiting_.size(); }
-    void append(const T& value) {
-        waiting_.push_back(value);
-        constexpr std::size_t many = (std::size_t{1} << 16) / sizeof(T);
-        if (waiting_.size() >= many) flush();
-    }
-    void append(std::span<const T> values) {
-        flush();
-        write(values);
-    }
-    [[nodiscard]] std::vector<T> read() {
-        flush();
-        std::vector<T> values(size_);
-        auto* to = reinterpret_cast<char*>(values.data());
-        for (std::size_t done = 0, all = size_ * sizeof(T); done < all;) {
-            const ssize_t count =
-                ::pread(descriptor_, to + done, all - done, static_cast<off_t>(done));
-            if (count < 0 && errno == EINTR) continue;
-            if (count <= 0) fail("a file of the work cannot be read");
-            done += static_cast<std::size_t>(count);
-        }
-        return values;
-    }
-    [[nodiscard]] int descriptor() {
-        flush();
-        return descriptor_;
-    }
-
- private:
-    [[noreturn]] static void fail(const std::string& what) {
-        throw std::system_error(errno, std::generic_category(), what);
-    }
-    void flush() {
-        write(waiting_);
-        waiting_.clear();
-    }
-    void write(std::span<const T> values) {
-        const auto* from = reinterpret_cast<const char*>(values.data());
-        for (std::size_t done = 0, all = values.size_bytes(); done < all;) {
-            const ssize_t count = ::write(descriptor_, from + done, all - done);
-            if (count < 0 && errno == EINTR) continue;
-            if (count < 0) fail("the files of the work cannot be written");
-            done += static_cast<std::size_t>(count);
-        }
-        size_ += values.size();
-    }
-    int descriptor_;
-    std::size_t size_ = 0;
-    std::vector<T> waiting_;
-};
-
-/// All values of a file, read as they are asked for.
-template <class T>
-class Mapped {
- public:
-    explicit Mapped(Scratch<T>& file) : size_(file.size()) {
-        if (size_ == 0) return;
-        void* const at =
-            ::mmap(nullptr, size_ * sizeof(T), PROT_READ, MAP_PRIVATE, file.descriptor(), 0);
-        if (at == MAP_FAILED)
-            throw std::system_error(errno, std::generic_category(), "the sites cannot be mapped");
-        values_ = static_cast<const T*>(at);
-    }
-    Mapped(const Mapped&) = delete;
-    Mapped& operator=(const Mapped&) = delete;
-    ~Mapped() {
-        if (values_ != nullptr) ::munmap(const_cast<T*>(values_), size_ * sizeof(T));
-    }
-    [[nodiscard]] std::span<const T> all() const noexcept { return {values_, size_}; }
-    /// What has been read is no longer kept.
-    void forget() const noexcept {
-        if (values_ != nullptr)
-            ::madvise(const_cast<T*>(values_), size_ * sizeof(T), MADV_DONTNEED);
-    }
-
- private:
-    std::size_t size_;
-    const T* values_ = nullptr;
-};
 
 /// How far the work is.
 class Steps {
@@ -155,6 +48,15 @@ class Steps {
     std::size_t told_ = 0;
 };
 
+/// The piece of a name and how many sites it says are hidden, where it is there and whole.
+template <class T>
+std::optional<std::pair<Scratch<T>, std::int64_t>> kept_piece(const PieceName& name,
+                                                              PiecesFound& found) {
+    auto piece = Scratch<T>::kept(name, [&] { found.damaged.push_back(name.path); });
+    if (piece) ++found.whole;
+    return piece;
+}
+
 template <std::size_t corners>
 void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions& options,
                    const std::function<void(const WholeCounts&)>& begin,
@@ -162,8 +64,12 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
     // More files for what is made than parts, for the first ones have more faces: of three sites
     // one is among the first half nearly always.
     const auto files_for = [](std::size_t parts) { return std::min(corners * parts, most_parts); };
+    using Cell = WholeCell<corners>;
     Steps steps(options);
     WholeCounts counts;
+    const bool keeps = !options.pieces.folder.empty();
+    constexpr std::uint64_t version = 1;  // of the pieces
+    if (keeps) counts.checksum = version;
 
     // Once through the sites for a sample: all of the first ones, then ever fewer.
     constexpr std::size_t most_sampled = 65'536;
@@ -172,6 +78,7 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
     for (std::size_t slice = 0; slice < sites.slices; ++slice) {
         const std::vector<Placed> some = sites.read(slice);
         check(some, kind);
+        if (keeps) counts.checksum = sum_of<Placed>(some, counts.checksum);
         counts.sites += static_cast<std::int64_t>(some.size());
         const auto is_in = [&](const Placed& each) {
             return mix(static_cast<std::uint64_t>(each.id)) <= spared;
@@ -196,35 +103,68 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
     for (const Placed& each : sample) points.push_back(place_of(each));
     const Cuts cuts(std::move(points), parts);
 
+    // What an earlier call kept counts where it did the same work.
+    if (keeps && options.pieces.belong) options.pieces.belong(counts);
+    const auto piece_of = [&](bool are_faces, std::size_t part) -> PieceName {
+        const std::array<std::uint64_t, 6> work = {static_cast<std::uint64_t>(kind.metric),
+                                                   static_cast<std::uint64_t>(kind.weight_is),
+                                                   kind.dimension,
+                                                   parts,
+                                                   are_faces ? 1U : 0U,
+                                                   part};
+        return {options.pieces.folder + (are_faces ? "/faces-" : "/sites-") + std::to_string(part) +
+                    ".piece",
+                sum_of<std::uint64_t>(work, counts.checksum)};
+    };
+    const auto sites_of = [&](std::size_t part) { return piece_of(false, part); };
+    const auto faces_of = [&](std::size_t part) { return piece_of(true, part); };
+    PiecesFound found = {.all = 2 * parts, .damaged = {}};
+
     // And once more, for the parts.
-    std::vector<std::size_t> begins(1, 0);
-    Scratch<Placed> in_parts(options.folder);
+    std::vector<std::optional<Mapped<Placed>>> mapped(parts);
+    const auto forget = [&] {
+        for (const auto& each : mapped) each->forget();
+    };
+    if (keeps) {
+        for (std::size_t k = 0; k < parts; ++k)
+            if (auto piece = kept_piece<Placed>(sites_of(k), found))
+                mapped[k].emplace(piece->first);
+    }
     {
         std::vector<Scratch<Placed>> dealt;
         for (std::size_t k = 0; k < parts; ++k) dealt.emplace_back(options.folder);
+        const bool are_all_there =
+            std::ranges::all_of(mapped, [](const auto& own) { return own.has_value(); });
         for (std::size_t slice = 0; slice < sites.slices; ++slice) {
-            for (const Placed& each : sites.read(slice))
-                dealt[cuts.part_of(place_of(each))].append(each);
+            if (!are_all_there) {
+                for (const Placed& each : sites.read(slice)) {
+                    const std::size_t part = cuts.part_of(place_of(each));
+                    if (!mapped[part]) dealt[part].append(each);
+                }
+            }
             steps.step();
         }
-        while (!dealt.empty()) {
+        for (std::size_t k = parts; k-- > 0;) {
             // The last one first, so that each is gone when it has been read.
             std::vector<Placed> own = dealt.back().read();
             dealt.pop_back();
-            order_along_curve(own, kind);
-            in_parts.append(own);
-            begins.push_back(in_parts.size());
+            if (!mapped[k]) {
+                order_along_curve(own, kind);
+                auto in_order =
+                    keeps ? Scratch<Placed>(sites_of(k)) : Scratch<Placed>(options.folder);
+                in_order.append(own);
+                if (keeps) in_order.keep();
+                mapped[k].emplace(in_order);
+            }
             steps.step();
         }
     }
-    const Mapped<Placed> mapped(in_parts);
     std::vector<SiteStore> stores;
     Extent whole = no_extent();
-    // The last part came first.
-    for (std::size_t k = parts; k-- > 0;) {
-        stores.emplace_back(mapped.all().subspan(begins[k], begins[k + 1] - begins[k]), kind);
+    for (const auto& own : mapped) {
+        stores.emplace_back(own->all(), kind);
         if (!is_empty(stores.back().extent())) whole.include(stores.back().extent());
-        mapped.forget();
+        own->forget();
     }
 
     Farthest farthest(kind, whole);
@@ -237,23 +177,44 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
     for (const SiteStore& store : stores) {
         add(candidates, endless_among(store, farthest));
         add(greatest, greatest_of(store.sites(), kind));
-        mapped.forget();
+        forget();
     }
     const std::vector<Placed> common = common_of(std::move(candidates), greatest, kind);
     std::vector<PartBounds> bounds;
     for (const SiteStore& store : stores) {
         bounds.push_back({store.extent_but(common), store.spacing()});
-        mapped.forget();
+        forget();
     }
 
     // Faces go to files by their first sites.
     const std::size_t count = files_for(parts);
     const Stretches stretches(counts.sites, count);
-    std::vector<Scratch<WholeCell<corners>>> files;
+    std::vector<Scratch<Cell>> files;
     for (std::size_t k = 0; k < count; ++k) files.emplace_back(options.folder);
+    const auto put_cell = [&](const Cell& cell) {
+        ++counts.faces;
+        counts.infinite_faces += cell[0] < 0 ? 1 : 0;
+        files[stretches.of(cell[0])].append(cell);
+    };
+    std::vector<std::size_t> unsettled;
+    for (std::size_t k = 0; k < parts; ++k) {
+        auto piece = keeps ? kept_piece<Cell>(faces_of(k), found) : std::nullopt;
+        if (!piece) {
+            unsettled.push_back(k);
+            continue;
+        }
+        piece->first.each(
+            [&](std::span<const Cell> cells) { std::ranges::for_each(cells, put_cell); });
+        counts.hidden += piece->second;
+        steps.step();
+    }
+    counts.settled = unsettled.size();
+    if (keeps && options.pieces.found) options.pieces.found(found);
+
     std::mutex one_at_a_time;
     const Workers workers(options.threads, static_cast<std::size_t>(counts.sites));
-    workers.each(parts, [&](std::size_t number) {
+    workers.each(unsettled.size(), [&](std::size_t next) {
+        const std::size_t number = unsettled[next];
         std::vector<Placed> others;
         std::ranges::copy_if(common, std::back_inserter(others), [&](const Placed& each) {
             return cuts.part_of(place_of(each)) != number;
@@ -261,16 +222,23 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
         SharedExchange exchange(stores);
         const std::unique_ptr<Part> part = make_part(kind);
         part->settle(stores[number], others, bounds, number, exchange, options.stop);
+        const auto hidden = static_cast<std::int64_t>(part->hidden().size());
+        const auto each_cell = [&](const auto& use) {
+            part->each_face([&](std::span<const std::int64_t> sites_of_cell) {
+                Cell cell;
+                std::ranges::copy(sites_of_cell, cell.begin());
+                use(cell);
+            });
+        };
+        if (keeps) {
+            Scratch<Cell> piece(faces_of(number));
+            each_cell([&](const Cell& cell) { piece.append(cell); });
+            piece.keep(hidden);
+        }
         const std::lock_guard lock(one_at_a_time);
-        counts.hidden += static_cast<std::int64_t>(part->hidden().size());
-        part->each_face([&](std::span<const std::int64_t> sites_of_cell) {
-            WholeCell<corners> cell;
-            std::ranges::copy(sites_of_cell, cell.begin());
-            ++counts.faces;
-            counts.infinite_faces += cell[0] < 0 ? 1 : 0;
-            files[stretches.of(cell[0])].append(cell);
-        });
-        mapped.forget();
+        each_cell(put_cell);
+        counts.hidden += hidden;
+        forget();
         steps.step();
     });
 
