@@ -74,7 +74,7 @@ std::size_t rank_with(const std::vector<std::int64_t>& begins, std::int64_t item
 /// Sorted, and each once.
 void add_to_set(std::vector<std::int64_t>& set, std::vector<std::int64_t>& more) {
     std::ranges::sort(more);
-    more.erase(std::ranges::unique(more).begin(), more.end());
+    more.erase(std::unique(more.begin(), more.end()), more.end());
     std::vector<std::int64_t> both;
     both.reserve(set.size() + more.size());
     std::ranges::set_union(set, more, std::back_inserter(both));

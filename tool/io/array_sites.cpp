@@ -331,8 +331,8 @@ class ArraySites {
 
     /// Goes to the rows of the share.
     void take_share(std::uint64_t rows) {
-        const auto& [number, of] = options_.share;
-        const auto row_of = [&](std::uint64_t k) {
+        const std::uint64_t number = options_.share.number;
+        const auto row_of = [rows, of = options_.share.of](std::uint64_t k) {
             return static_cast<std::uint64_t>(static_cast<unsigned __int128>(rows) * k / of);
         };
         result_.first_row = row_of(number);

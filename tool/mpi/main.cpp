@@ -82,8 +82,11 @@ void summarize(Communicator& ranks, const std::string& result, const RankTessell
 }
 
 /// Sites, and of what kind they are.
-std::pair<std::vector<distributed::Placed>, distributed::Kind> read(Communicator& ranks,
-                                                                    const Call& call) {
+struct Input {
+    std::vector<distributed::Placed> sites;
+    distributed::Kind kind;
+};
+Input read(Communicator& ranks, const Call& call) {
     const std::string& radii = call.weights.empty() ? call.radii : call.weights;
     Slices slices;
     ranks.together([&] { slices = read_slices(ranks, call.sites, call.dimension, radii); });
@@ -104,19 +107,20 @@ bool asks_for(const Call& call, std::string_view ending) {
 
 void triangulate(Communicator& ranks, const Call& call) {
     const double start = MPI_Wtime();
-    const auto [sites, kind] = read(ranks, call);
+    const Input input = read(ranks, call);
+    const auto& kind = input.kind;
     RankTessellation built;
     Stretch stretch;
     VtkGrid piece;
     ranks.together([&] {
-        built = mpi::triangulate(sites, ranks.get(), kind);
+        built = mpi::triangulate(input.sites, ranks.get(), kind);
         if (asks_for(call, ".pvtu") && !built.sites.empty())
             piece = grid_of_faces(built.part->known(), kind);
         stretch = in_order(built, ranks.get(), kind);
     });
     for (const std::string& output : call.outputs)
         ranks.together([&] {
-            write(ranks, output, {sites, built.whole, stretch, kind.metric, kind.weight_is, piece});
+            write(ranks, output, {input.sites, built.whole, stretch, kind.metric, kind.weight_is, piece});
         });
     summarize(ranks,
               fmt::format("{} hidden, {} {}", stretch.hidden_of_all, stretch.faces_of_all,
@@ -126,9 +130,10 @@ void triangulate(Communicator& ranks, const Call& call) {
 
 void voronoi(Communicator& ranks, const Call& call) {
     const double start = MPI_Wtime();
-    const auto [sites, kind] = read(ranks, call);
-    ranks.together([&, &sites = sites, &kind = kind] {
-        const RankTessellation built = mpi::triangulate(sites, ranks.get(), kind);
+    const Input input = read(ranks, call);
+    const auto& kind = input.kind;
+    ranks.together([&] {
+        const RankTessellation built = mpi::triangulate(input.sites, ranks.get(), kind);
         const RankCells cells(ranks, built, kind, asks_for(call, ".csv"), asks_for(call, ".pvtu"));
         for (const std::string& output : call.outputs)
             ranks.together([&] {
@@ -162,14 +167,15 @@ void validate(Communicator& ranks, const Call& typed) {
         call.dimension = static_cast<int>(says->kind.dimension);
         call.last_is_weight = says->kind.weight_is == WeightIs::weight;
     }
-    const auto [sites, kind] = read(ranks, call);
-    const std::int64_t whole = ranks.sum(static_cast<std::int64_t>(sites.size()));
+    const Input input = read(ranks, call);
+    const auto& kind = input.kind;
+    const std::int64_t whole = ranks.sum(static_cast<std::int64_t>(input.sites.size()));
     Validation result;
     if (tessellation.says && tessellation.says->sites != whole)
         result.message = fmt::format("the tessellation speaks of {} sites, the input has {}",
                                      tessellation.says->sites, whole);
     else
-        result = mpi::validate(sites, std::move(tessellation.stretch),
+        result = mpi::validate(input.sites, std::move(tessellation.stretch),
                                tessellation.says.has_value(), ranks.get(), kind);
     if (ranks.rank() == 0) {
         fmt::print("{}\n", !result.valid       ? "not valid: " + result.message

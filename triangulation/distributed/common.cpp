@@ -245,8 +245,8 @@ std::vector<Placed> common_of(std::vector<Placed> endless, std::span<const Place
     const std::vector<Placed> more = greatest_of(greatest, kind);
     common.insert(common.end(), more.begin(), more.end());
     std::ranges::sort(common, {}, &Placed::id);
-    const auto same = std::ranges::unique(common, {}, &Placed::id);
-    common.erase(same.begin(), same.end());
+    const auto is_same = [](const Placed& a, const Placed& b) { return a.id == b.id; };
+    common.erase(std::unique(common.begin(), common.end(), is_same), common.end());
     return common;
 }
 

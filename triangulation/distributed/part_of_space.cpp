@@ -61,15 +61,16 @@ class PartOfSpace final : public Settling<K> {
                 for (const Index each : cells[c])
                     if (each != static_cast<Index>(v)) neighbours.push_back(id(each));
             std::ranges::sort(neighbours);
-            const auto same = std::ranges::unique(neighbours);
-            neighbours.erase(same.begin(), same.end());
+            neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
             put(id(static_cast<Index>(v)), neighbours);
         }
     }
 
     [[nodiscard]] Known known() const override {
-        auto [known, place] = this->known_sites(
+        std::pair<Known, std::vector<Index>> sites_and_places = this->known_sites(
             numbers_, [&](Index v) { return placed(v); }, [&](Index v) { return is_own(v); });
+        auto& known = sites_and_places.first;
+        const auto& place = sites_and_places.second;
         const auto sites = static_cast<std::int64_t>(known.ids.size());
         std::vector<WholeCell<4>> cells;
         each_cell([&](const Four& v) {

@@ -128,7 +128,10 @@ class Answering {
 
     void in_the_middle(const EdgeQuestion& edge, std::vector<Placed>& found) const {
         if constexpr (!K::is_straight) {
-            const auto& [i, j, k, l] = edge;
+            const Placed& i = edge[0];
+            const Placed& j = edge[1];
+            const Placed& k = edge[2];
+            const Placed& l = edge[3];
             const Middle middle(i, j);
             const auto meets = [&](const Extent& extent) {
                 return middle.may_be_taken_from(extent);
