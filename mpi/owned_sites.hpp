@@ -61,8 +61,8 @@ class RanksExchange final : public Exchange {
 };
 
 /// Of all sites so many, as they come by their numbers; all of them where they are few.
-[[nodiscard]] inline std::vector<Placed> sampled(Communicator& ranks, std::span<const Placed> own, std::int64_t whole,
-                            std::int64_t wanted) {
+[[nodiscard]] inline std::vector<Placed> sampled(Communicator& ranks, std::span<const Placed> own,
+                                                 std::int64_t whole, std::int64_t wanted) {
     const double share = static_cast<double>(wanted) / static_cast<double>(whole);
     std::vector<Placed> sample;
     for (const Placed& each : own)

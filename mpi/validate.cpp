@@ -186,9 +186,8 @@ class Arrays {
             sides = {};
             for (const auto& [cell, corner, apex, neighbour] : ranks_.dealt(
                      beyond, [&](const Beyond& each) { return rank_of_cell(each.cell); })) {
-                const std::size_t place =
-                    corners * static_cast<std::size_t>(cell - number(0)) +
-                    static_cast<std::size_t>(corner);
+                const std::size_t place = corners * static_cast<std::size_t>(cell - number(0)) +
+                                          static_cast<std::size_t>(corner);
                 apexes_[place] = apex;
                 if (are_kept) neighbours[place] = neighbour;
             }
@@ -213,9 +212,7 @@ class Arrays {
             bool is_infinite;  // a finite one is asked for
             std::int64_t cell;
         };
-        const auto in_order = [](const At& each) {
-            return std::pair(each.site, each.is_infinite);
-        };
+        const auto in_order = [](const At& each) { return std::pair(each.site, each.is_infinite); };
         cell_at_.assign(static_cast<std::size_t>(site_begins_[ranks_.rank() + 1] - first_site()),
                         -1);
         const std::uint64_t times = times_of(stretch_.faces.size());
@@ -240,8 +237,8 @@ class Arrays {
             }
         }
         std::vector<WholeHidden> hidden = stretch_.hidden;
-        hidden = ranks_.dealt(hidden,
-                              [&](const WholeHidden& each) { return rank_of_site(each.site); });
+        hidden =
+            ranks_.dealt(hidden, [&](const WholeHidden& each) { return rank_of_site(each.site); });
         std::vector<char> is_hidden(cell_at_.size(), 0);
         judge(ranks_, [&] {
             for (const auto& [site, by] : hidden) {
@@ -259,8 +256,8 @@ class Arrays {
                 stretch_.hidden.push_back({site, -1});
             }
         });
-        const auto visible = static_cast<std::int64_t>(std::ranges::count_if(
-            cell_at_, [](std::int64_t cell) { return cell >= 0; }));
+        const auto visible = static_cast<std::int64_t>(
+            std::ranges::count_if(cell_at_, [](std::int64_t cell) { return cell >= 0; }));
         const std::int64_t all = ranks_.sum(visible);
         if (corners == 3 && cell_begins_.back() != 2 * all - 2)
             throw Invalid{std::to_string(all) + " visible sites have " +
@@ -303,9 +300,9 @@ class Arrays {
             counts.push_back(cell_begins_[r + 1] - cell_begins_[r]);
         const std::vector<Cell> lasts = ranks_.all_of<Cell>(own);
         std::optional<Cell> before;
-        const auto ranks_before = static_cast<std::size_t>(
-            std::count_if(counts.begin(), counts.begin() + static_cast<std::ptrdiff_t>(ranks_.rank()),
-                          [](std::int64_t count) { return count > 0; }));
+        const auto ranks_before = static_cast<std::size_t>(std::count_if(
+            counts.begin(), counts.begin() + static_cast<std::ptrdiff_t>(ranks_.rank()),
+            [](std::int64_t count) { return count > 0; }));
         if (ranks_before > 0) before = lasts[ranks_before - 1];
         for (std::size_t c = 0; c < size(); ++c) {
             const Cell now = cell(c);
@@ -313,8 +310,7 @@ class Arrays {
             for (std::size_t m = 1; m < corners; ++m)
                 rises &= m + 1 < corners ? now[m - 1] < now[m] : now[m - 2] < now[m];
             if (!rises) notes.note(name(number(c)) + ": its numbers are not in canonical order");
-            if (before && now < *before)
-                notes.note(name(number(c)) + " is not in canonical order");
+            if (before && now < *before) notes.note(name(number(c)) + " is not in canonical order");
             before = now;
         }
         if (!std::ranges::is_sorted(stretch_.hidden, {}, &WholeHidden::site))
@@ -482,20 +478,17 @@ LocalSites<S> local_sites(Arrays<corners>& arrays, std::span<const Placed> slice
 /// Hidden sites and those that are said to hide them, or, of those of which nothing is said, some
 /// other one.
 template <std::size_t corners>
-std::vector<std::array<Placed, 2>> hidden_of(Arrays<corners>& arrays,
-                                             std::span<const Placed> slice, std::int64_t other) {
+std::vector<std::array<Placed, 2>> hidden_of(Arrays<corners>& arrays, std::span<const Placed> slice,
+                                             std::int64_t other) {
     std::vector<std::int64_t> ids;
-    const auto by_of = [&](const WholeHidden& hidden) {
-        return hidden.by < 0 ? other : hidden.by;
-    };
+    const auto by_of = [&](const WholeHidden& hidden) { return hidden.by < 0 ? other : hidden.by; };
     for (const WholeHidden& each : arrays.hidden()) ids.insert(ids.end(), {each.site, by_of(each)});
     std::vector<std::int64_t> set;
     add_to_set(set, ids);
     const std::vector<Site3> sites = arrays.places_of(set, slice);
     const auto placed = [&](std::int64_t id) {
-        return Placed(sites[static_cast<std::size_t>(std::ranges::lower_bound(set, id) -
-                                                     set.begin())],
-                      id);
+        return Placed(
+            sites[static_cast<std::size_t>(std::ranges::lower_bound(set, id) - set.begin())], id);
     };
     std::vector<std::array<Placed, 2>> result;
     for (const WholeHidden& each : arrays.hidden())
@@ -532,8 +525,10 @@ class StraightJudge {
                   Notes& notes)
         : ranks_(ranks),
           arrays_(arrays),
-          local_(local_sites<corners, S>(
-              arrays, slice, [](const Site3& site) { return straight<K>({site, 0}); })),
+          local_(local_sites<corners, S>(arrays, slice,
+                                         [](const Site3& site) {
+                                             return straight<K>({site, 0});
+                                         })),
           notes_(notes) {}
 
     void run() {
@@ -547,8 +542,7 @@ class StraightJudge {
     }
     void judge_hidden(std::span<const Placed> slice, std::int64_t whole, const Kind& kind) {
         std::vector<WholeHidden>& hidden = arrays_.hidden();
-        const std::vector<std::array<Placed, 2>> asked =
-            hidden_of(arrays_, slice, base_.front());
+        const std::vector<std::array<Placed, 2>> asked = hidden_of(arrays_, slice, base_.front());
         const std::vector<Placed> found = nearest<K>(ranks_, asked, slice, whole, kind);
         judge(ranks_, [&] {
             for (std::size_t h = 0; h < hidden.size(); ++h) {
@@ -591,13 +585,11 @@ class StraightJudge {
             }
             if (own.number <= arrays_.number(c) && !(extent < own.extent)) continue;
             own = {extent, arrays_.number(c), cell, {}};
-            for (std::size_t k = 0; k < corners; ++k)
-                own.sites[k] = local_.sites[at(at_places[k])];
+            for (std::size_t k = 0; k < corners; ++k) own.sites[k] = local_.sites[at(at_places[k])];
         }
         const std::vector<Base> all = ranks_.all_of<Base>(std::array{own});
-        const Base& base = *std::ranges::min_element(all, {}, [](const Base& each) {
-            return std::pair(each.extent, each.number);
-        });
+        const Base& base = *std::ranges::min_element(
+            all, {}, [](const Base& each) { return std::pair(each.extent, each.number); });
         if (base.number == std::numeric_limits<std::int64_t>::max())
             throw std::invalid_argument(
                 "sites on a line, or in a plane of space, have no finite faces or cells: signum "
@@ -674,9 +666,8 @@ class StraightJudge {
         for (std::size_t h = 0; h < hidden.size(); ++h)
             walkers.push_back({hidden[h][0], starts[h]});
         while (ranks_.most(static_cast<std::int64_t>(walkers.size())) > 0) {
-            walkers = ranks_.dealt(walkers, [&](const Walker& each) {
-                return arrays_.rank_of_cell(each.cell);
-            });
+            walkers = ranks_.dealt(
+                walkers, [&](const Walker& each) { return arrays_.rank_of_cell(each.cell); });
             std::vector<Walker> going;
             judge(ranks_, [&] {
                 for (Walker& each : walkers)
@@ -794,10 +785,10 @@ template <class K>
 class AdditiveJudge {
     /// As a judge asks, and counting.
     struct Judging : K {
-        using Kernel = triangulation::AdditiveKernel<
-            typename triangulation::PredicatesOf<typename K::Metric>::template Perturbed<
-                Arithmetic::judging>,
-            filters::Tally>;
+        using Kernel =
+            triangulation::AdditiveKernel<typename triangulation::PredicatesOf<typename K::Metric>::
+                                              template Perturbed<Arithmetic::judging>,
+                                          filters::Tally>;
     };
     using Kernel = typename Judging::Kernel;
     using Asked = triangulation::AdditiveQuestions<Kernel>;
@@ -807,11 +798,10 @@ class AdditiveJudge {
                   Notes& notes)
         : ranks_(ranks),
           arrays_(arrays),
-          local_(local_sites<3, RankedSite>(
-              arrays, slice,
-              [](const Site3& site) {
-                  return RankedSite{in_plane({site, 0}), 0};
-              })),
+          local_(local_sites<3, RankedSite>(arrays, slice,
+                                            [](const Site3& site) {
+                                                return RankedSite{in_plane({site, 0}), 0};
+                                            })),
           notes_(notes) {
         std::vector<Index> numbers(local_.sites.size());
         std::iota(numbers.begin(), numbers.end(), 0);
@@ -831,8 +821,8 @@ class AdditiveJudge {
     void judge_hidden(std::span<const Placed> slice, std::int64_t whole, const Kind& kind) {
         std::vector<WholeHidden>& hidden = arrays_.hidden();
         // Of whom nothing is said: anybody but the site itself.
-        std::vector<std::array<Placed, 2>> asked = hidden_of(
-            arrays_, slice, ranks_.most(local_.ids.empty() ? -1 : local_.ids.front()));
+        std::vector<std::array<Placed, 2>> asked =
+            hidden_of(arrays_, slice, ranks_.most(local_.ids.empty() ? -1 : local_.ids.front()));
         const std::vector<Placed> found = nearest<K>(ranks_, asked, slice, whole, kind);
         judge(ranks_, [&] {
             for (std::size_t h = 0; h < hidden.size(); ++h) {
@@ -945,8 +935,8 @@ Validation judged(Communicator& ranks, std::span<const Placed> slice, Stretch st
     } catch (const Invalid& note) {
         result.message = note.why;
     }
-    result.filtered = static_cast<std::uint64_t>(
-        ranks.sum(static_cast<std::int64_t>(counts.filtered)));
+    result.filtered =
+        static_cast<std::uint64_t>(ranks.sum(static_cast<std::int64_t>(counts.filtered)));
     result.multiprecision =
         static_cast<std::uint64_t>(ranks.sum(static_cast<std::int64_t>(counts.exact)));
     return result;

@@ -89,8 +89,7 @@ void judge_slices(Bytes bytes, int dimension) {
     const MemoryFile file(bytes);
     const auto numbers = [](const std::vector<Site3>& sites) {
         std::vector<double> all;
-        for (const Site3& site : sites)
-            all.insert(all.end(), {site.x, site.y, site.z, site.r});
+        for (const Site3& site : sites) all.insert(all.end(), {site.x, site.y, site.z, site.r});
         return all;
     };
     const auto whole = read_in_slices(file.path(), dimension, 1);

@@ -54,8 +54,7 @@ class Handle {
 [[nodiscard]] inline std::pair<std::uint64_t, std::uint64_t> share_of(const Communicator& ranks,
                                                                       std::uint64_t rows) {
     const auto begin = [&](std::uint64_t k) {
-        return static_cast<std::uint64_t>(static_cast<unsigned __int128>(rows) * k /
-                                          ranks.size());
+        return static_cast<std::uint64_t>(static_cast<unsigned __int128>(rows) * k / ranks.size());
     };
     return {begin(ranks.rank()), begin(ranks.rank() + 1) - begin(ranks.rank())};
 }
@@ -90,8 +89,7 @@ class Dataset {
             H5Sselect_none(space);
             H5Sselect_none(memory);
         }
-        const hid_t type =
-            std::is_same_v<Number, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64;
+        const hid_t type = std::is_same_v<Number, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64;
         if (H5Dread(set_, type, memory, space, collective_transfer(), numbers.data()) < 0)
             throw InputError(name_, "it cannot be read as numbers");
         return numbers;

@@ -120,7 +120,8 @@ void triangulate(Communicator& ranks, const Call& call) {
     });
     for (const std::string& output : call.outputs)
         ranks.together([&] {
-            write(ranks, output, {input.sites, built.whole, stretch, kind.metric, kind.weight_is, piece});
+            write(ranks, output,
+                  {input.sites, built.whole, stretch, kind.metric, kind.weight_is, piece});
         });
     summarize(ranks,
               fmt::format("{} hidden, {} {}", stretch.hidden_of_all, stretch.faces_of_all,
@@ -183,15 +184,16 @@ void validate(Communicator& ranks, const Call& typed) {
                                                : "valid, canonical");
         std::fflush(stdout);
         if (!call.is_quiet)
-            fmt::print(stderr, "{} sites, {} metric; {} questions, {} of them in exact numbers; "
-                               "{} rank{}, {:.3g} s\n",
+            fmt::print(stderr,
+                       "{} sites, {} metric; {} questions, {} of them in exact numbers; "
+                       "{} rank{}, {:.3g} s\n",
                        whole, name_of(kind.metric), result.filtered + result.multiprecision,
                        result.multiprecision, ranks.size(), ranks.size() == 1 ? "" : "s",
                        MPI_Wtime() - start);
     }
     if (!result.valid)
-        throw CheckFailure(fmt::format("{} is not a valid tessellation of {}", call.tessellation,
-                                       call.sites));
+        throw CheckFailure(
+            fmt::format("{} is not a valid tessellation of {}", call.tessellation, call.sites));
 }
 
 /// How a rank has ended.

@@ -17,9 +17,9 @@ namespace {
 
 /// A text that write_hdf5() puts beside a group's arrays.
 std::string text_of(const Handle& file, const std::string& group, const std::string& attribute) {
-    const Handle text(H5Aopen_by_name(file, group.c_str(), attribute.c_str(), H5P_DEFAULT,
-                                      H5P_DEFAULT),
-                      H5Aclose);
+    const Handle text(
+        H5Aopen_by_name(file, group.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose);
     if (!text.is_there()) return "";
     const Handle type(H5Aget_type(text), H5Tclose);
     std::string value(H5Tget_size(type), '\0');
@@ -59,16 +59,16 @@ ReadStretch read_hdf5(Communicator& ranks, const std::string& name) {
                              &stretch.first_face, &stretch.faces_of_all);
         stretch.neighbours = rows("/signum/neighbours", stretch.corners, nullptr, &all);
         if (all != stretch.faces_of_all)
-            throw InputError(name, fmt::format("{} faces, but neighbours of {}",
-                                               stretch.faces_of_all, all));
+            throw InputError(
+                name, fmt::format("{} faces, but neighbours of {}", stretch.faces_of_all, all));
         const std::vector<std::int64_t> hidden =
             rows("/signum/hidden", 2, &stretch.first_hidden, &stretch.hidden_of_all);
         for (std::size_t k = 0; k < hidden.size(); k += 2)
             stretch.hidden.push_back({hidden[k], hidden[k + 1]});
         const Dataset points(name, file, "/VTKHDF/Points");
-        read.says = {static_cast<std::int64_t>(points.rows()),
-                     {*metric, has_weights ? WeightIs::weight : WeightIs::radius,
-                      stretch.corners - 1}};
+        read.says = {
+            static_cast<std::int64_t>(points.rows()),
+            {*metric, has_weights ? WeightIs::weight : WeightIs::radius, stretch.corners - 1}};
     });
     return read;
 }
@@ -113,8 +113,9 @@ bool is_hdf5(const std::string& name) {
 ReadStretch read_stretch(Communicator& ranks, const std::string& name, std::size_t dimension) {
     if (is_hdf5(name)) return read_hdf5(ranks, name);
     if (name.ends_with(".i32")) return read_faces(ranks, name, dimension);
-    throw InputError(name, "ranks judge the .h5 that signum-mpi triangulate writes, or its .i32; "
-                           "signum validate judges JSON");
+    throw InputError(name,
+                     "ranks judge the .h5 that signum-mpi triangulate writes, or its .i32; "
+                     "signum validate judges JSON");
 }
 
 }  // namespace signum::mpi

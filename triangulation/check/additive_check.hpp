@@ -97,9 +97,8 @@ class AdditiveCheck : private ArraysCheck {
     };
 
     void check_vertices() {
-        judge_all(arrays_.faces.size(), 1, [this](Part& part, Index f) {
-            part.judge_vertex(face(f), Names{f});
-        });
+        judge_all(arrays_.faces.size(), 1,
+                  [this](Part& part, Index f) { part.judge_vertex(face(f), Names{f}); });
     }
     void check_edges() {
         judge_all(arrays_.faces.size(), 3, [this](Part& part, Index f) {

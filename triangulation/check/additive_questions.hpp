@@ -57,11 +57,10 @@ struct AdditiveQuestions : Notes {
     void judge_edge(const std::array<Index, 4>& about, const Names& names) {
         const auto [i, j, k, l] = about;
         const bool apart =
-            k == l || forbid([&, i = i, j = j, k = k,
-                              l = l] { return ExtendedKernel(kernel).conflicts(i, j, k, l); },
-                             [&, l = l] {
-                                 return names.of(l) + " is in conflict with " + names.of_face();
-                             });
+            k == l ||
+            forbid([&, i = i, j = j, k = k,
+                    l = l] { return ExtendedKernel(kernel).conflicts(i, j, k, l); },
+                   [&, l = l] { return names.of(l) + " is in conflict with " + names.of_face(); });
         if (apart && i < j && i != infinite && k != infinite && l != infinite &&
             !runs_forward(kernel, i, j, k, l))
             throw Invalid{"the edge of " + names.of_face() + " and " + names.of_face_across() +

@@ -70,8 +70,8 @@ class Cuts {
             nodes_[number].at = put_in_place(place, widest);
         }
         // As part_of() parts them: those that are equal go together.
-        const auto is_below = [axis = nodes_[number].axis, at = nodes_[number].at](
-                                  const Point3& p) { return p.*axis < at; };
+        const auto is_below = [axis = nodes_[number].axis,
+                               at = nodes_[number].at](const Point3& p) { return p.*axis < at; };
         const auto above = std::partition(sample.begin(), sample.end(), is_below);
         const auto below = static_cast<std::size_t>(above - sample.begin());
         cut(sample.first(below), first, middle);
