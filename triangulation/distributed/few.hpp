@@ -259,17 +259,25 @@ class Ball {
     decltype(made_of({})) ball_;
 };
 
-/// Where a site has its centre that takes the middle of an edge of i and j and leaves both ends, in
-/// a metric with additive weights: along no axis is it beyond both, its radius and theirs included.
+/// Where a site t has its centre that takes the middle of an edge of i and j and leaves both ends,
+/// in a metric with additive weights: its ball is within the convex hull of theirs. No linear form
+/// n, of dual norm |n|, has n·t + r_t |n| above both n·i + r_i |n| and n·j + r_j |n|.
 ///
-/// Suppose t is, in direction n. Then far out towards n t is nearer than both, so its cell among
-/// the three has no end. From there the cell leads to the middle of the edge. It parts the points
-/// on one side of the bisector, say i's: those beside one end of the middle from those beside the
-/// other, for it leaves the bisector's own ends at infinity to i and j. But the cell of i is
-/// connected.
+/// Suppose one has. Let v be a vector of length 1 with n·v = |n|, and q = t + s v for any s >= 0.
+/// Then d(q, t) = s, and d(q, i) >= n·(q - i) / |n| > s - r_t + r_i, likewise for j: t takes all of
+/// this ray. So among the three its cell leads from the middle of the edge to infinity. But the
+/// cell of i is connected, and leads from one side of the middle to the other, along the bisector;
+/// so does that of j, on the bisector's other side. Together they close in the middle.
+///
+/// The class tries forms along the axes, and those at a right angle to the edge, where n·i = n·j.
+/// The latter leave a strip around the line through i and j: t is no farther from it than R - r_t,
+/// R the greater radius of the two. A site that is greater than both takes no middle.
 class Middle {
  public:
-    Middle(const Placed& i, const Placed& j) noexcept {
+    Middle(const Placed& i, const Placed& j) noexcept
+        : i_{i.site.x, i.site.y},
+          across_{i.site.y - j.site.y, j.site.x - i.site.x},
+          greater_(std::max(i.site.r, j.site.r)) {
         const std::array<std::array<double, 2>, 2> centres = {
             {{i.site.x, i.site.y}, {j.site.x, j.site.y}}};
         for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -278,8 +286,9 @@ class Middle {
         }
     }
     [[nodiscard]] bool may_be_taken_from(const Extent& extent) const noexcept {
-        // Two roundings.
         const double r = extent.low[weight_place];
+        if (r > greater_) return false;
+        // Two roundings.
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const double slack =
                 0x1p-50 * (std::fabs(low_[axis]) + std::fabs(high_[axis]) + std::fabs(r) +
@@ -288,10 +297,27 @@ class Middle {
                 extent.high[axis] - r < low_[axis] - slack)
                 return false;
         }
-        return true;
+        // Four roundings of each term, of which products may underflow. No dual norm is more than
+        // the sum of the magnitudes.
+        const double width = (greater_ - r) * (std::fabs(across_[0]) + std::fabs(across_[1]));
+        double low = 0.0;
+        double high = 0.0;
+        double slack = width;
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const double one = across_[axis] * (extent.low[axis] - i_[axis]);
+            const double other = across_[axis] * (extent.high[axis] - i_[axis]);
+            low += std::min(one, other);
+            high += std::max(one, other);
+            slack += std::max(std::fabs(one), std::fabs(other));
+        }
+        slack = 0x1p-50 * slack + 0x1p-1000;
+        return !(low > width + slack || high < -width - slack);
     }
 
  private:
+    std::array<double, 2> i_;
+    std::array<double, 2> across_;  ///< the form at a right angle to the edge
+    double greater_;
     std::array<double, 2> low_;
     std::array<double, 2> high_;
 };
