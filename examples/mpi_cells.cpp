@@ -22,6 +22,11 @@ int main(int count, char** words) {
 
     // Numbers are the program's own, all different: ties are decided by them.
     const long own = count > 1 ? std::atol(words[1]) : 1000;
+    if (own < 3) {
+        if (rank == 0) std::fprintf(stderr, "usage: mpi_cells [SITES A RANK], 3 or more\n");
+        MPI_Finalize();
+        return 2;
+    }
     std::mt19937_64 random(static_cast<std::uint64_t>(rank));
     std::uniform_real_distribution<double> number(0.0, 1.0);
     std::vector<signum::distributed::Placed> sites;

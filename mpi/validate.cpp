@@ -392,7 +392,8 @@ class Arrays {
                 if (s + 2 < sides.size() && sides[s + 2].facet == one.facet)
                     throw std::invalid_argument(
                         across() + "the " + facet() +
-                        " occurs more than twice: only neighbours can tell which is which");
+                        " occurs more than twice, and only neighbours tell which is which: write "
+                        ".h5, which has them");
             } else if (!are_two || sides[s + 1].cell != one.neighbour ||
                        sides[s + 1].neighbour != one.cell || one.neighbour == one.cell) {
                 throw Invalid{across() + name(one.neighbour) + " is no neighbour"};

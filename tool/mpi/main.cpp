@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "../../mpi/validate.hpp"
 #include "../../triangulation/metric.hpp"
 #include "../io/errors.hpp"
+#include "../io/output_file.hpp"
 #include "cells.hpp"
 #include "outputs.hpp"
 #include "read_stretch.hpp"
@@ -162,8 +164,10 @@ void validate(Communicator& ranks, const Call& typed) {
     ReadStretch tessellation =
         read_stretch(ranks, call.tessellation, static_cast<std::size_t>(call.dimension));
     if (const auto& says = tessellation.says) {
-        if (!call.metric.empty())
-            throw CLI::ValidationError("--metric", call.tessellation + " says it itself");
+        if (!call.metric.empty() && name_of(metric_of(call)) != name_of(says->kind.metric))
+            throw CLI::ValidationError(
+                "--metric", fmt::format("{} says that it is of the {} metric", call.tessellation,
+                                        name_of(says->kind.metric)));
         call.metric = name_of(says->kind.metric);
         call.dimension = static_cast<int>(says->kind.dimension);
         call.last_is_weight = says->kind.weight_is == WeightIs::weight;
@@ -194,6 +198,14 @@ void validate(Communicator& ranks, const Call& typed) {
     if (!result.valid)
         throw CheckFailure(
             fmt::format("{} is not a valid tessellation of {}", call.tessellation, call.sites));
+}
+
+/// The file of a name, without the path of an array in it.
+std::string file_of(const std::string& name) {
+    for (const std::string_view ending : {".h5:", ".hdf5:", ".hdf:"})
+        if (const std::size_t at = name.find(ending); at != std::string::npos)
+            return name.substr(0, at + ending.size() - 1);
+    return name;
 }
 
 /// How a rank has ended.
@@ -234,11 +246,11 @@ End run(Communicator& ranks, int count, char** words) {
           ".csv, .pvtu", voronoi},
          {tool.add_subcommand("validate",
                               "Judges a tessellation from scratch, whoever made it: the .h5 of "
-                              "triangulate,\nor .i32, faces alone"),
+                              "triangulate,\nor .npy, .i32, faces alone"),
           "", validate}}};
     for (const Command& command : commands) {
         if (command.endings.empty())
-            command.app->add_option("TESSELLATION", call.tessellation, "FILE.h5, or FILE.i32")
+            command.app->add_option("TESSELLATION", call.tessellation, "FILE.h5, or FILE.npy, FILE.i32")
                 ->required();
         command.app->add_option("SITES", call.sites, "FILE, or FILE.h5:/path/to/coordinates")
             ->required();
@@ -269,13 +281,27 @@ End run(Communicator& ranks, int count, char** words) {
             static_cast<void>(metric_of(call));
             command = std::ranges::find_if(commands,
                                            [](const Command& each) { return each.app->parsed(); });
+            if (!call.radii.empty() && !call.weights.empty())
+                throw CLI::ValidationError("--radii", "give it or --weights, not both");
             for (const std::string& name : call.outputs) {
-                const std::size_t dot = name.find_last_of('.');
-                const std::string ending = dot == std::string::npos ? "." : name.substr(dot) + ",";
-                if (fmt::format("{},", command->endings).find(ending) == std::string::npos)
+                const std::size_t dot = name.find_last_of("./");
+                if (dot == std::string::npos || name[dot] != '.' ||
+                    fmt::format("{},", command->endings).find(name.substr(dot) + ",") ==
+                        std::string::npos)
                     throw CLI::ValidationError(
-                        "-o", fmt::format("{} ends as nothing that is written: {}", name,
+                        "-o", fmt::format("'{}' ends as nothing that is written: {}", name,
                                           command->endings));
+            }
+        });
+        ranks.together([&] {
+            // Before the work: what cannot be written after it.
+            for (const std::string& name : call.outputs) {
+                if (ranks.rank() != 0) break;
+                std::error_code none;
+                if (std::filesystem::equivalent(name, file_of(call.sites), none))
+                    throw NameError(
+                        fmt::format("-o {} would overwrite the input; give another name", name));
+                const OutputFile can_be_written(name);
             }
         });
         ranks.together([&] { command->run(ranks, call); });

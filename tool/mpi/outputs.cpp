@@ -42,18 +42,34 @@ void write_faces(Communicator& ranks, const std::string& name, const Whole& whol
 
 // ---- HDF5 --------------------------------------------------------------------------------------
 
-void require(bool is_done, const std::string& name) {
-    if (!is_done) throw MachineError(fmt::format("cannot write {}", name));
+/// Why HDF5 failed, as far as it knows.
+std::string reason() {
+    std::string found;
+    const auto take = [](unsigned, const H5E_error2_t* error, void* to) -> herr_t {
+        auto& text = *static_cast<std::string*>(to);
+        if (text.empty() && error->desc != nullptr) text = error->desc;
+        return 0;
+    };
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take, &found);
+    return found.empty() ? "it fails elsewhere" : found;
+}
+/// Whether it is done on all ranks: none goes on alone, for the next call is one of all. Throws
+/// MachineError.
+void require(Communicator& ranks, bool is_done, const std::string& name) {
+    const std::string why = is_done ? "" : reason();
+    if (ranks.most(is_done ? 0 : 1) == 0) return;
+    throw MachineError(fmt::format("cannot write {}: {}", name, why));
 }
 
 /// Arrays of one group of a file, of whose rows each rank has some.
 class Group {
  public:
-    Group(const std::string& name, const Handle& file, const char* path)
-        : name_(name),
+    Group(Communicator& ranks, const std::string& name, const Handle& file, const char* path)
+        : ranks_(ranks),
+          name_(name),
           group_(H5Gcreate2(file, path, H5P_DEFAULT, untimed(H5P_GROUP_CREATE), H5P_DEFAULT),
                  H5Gclose) {
-        require(group_.is_there(), name_);
+        require(ranks_, group_.is_there(), name_);
     }
     [[nodiscard]] const Handle& get() const noexcept { return group_; }
 
@@ -67,17 +83,16 @@ class Group {
         const Handle set(H5Dcreate2(group_, array, stored, space, H5P_DEFAULT,
                                     untimed(H5P_DATASET_CREATE), H5P_DEFAULT),
                          H5Dclose);
-        require(set.is_there(), name_);
+        require(ranks_, set.is_there(), name_);
         if (all == 0) return;
         const std::array<hsize_t, 2> begin = {first, 0};
         const std::array<hsize_t, 2> extent = {own.size() / columns, columns};
         const Handle memory(H5Screate_simple(axes, extent.data(), nullptr), H5Sclose);
         H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, extent.data(), nullptr);
-        if (own.empty()) {
-            H5Sselect_none(space);
-            H5Sselect_none(memory);
-        }
-        require(H5Dwrite(set, type, memory, space, collective_transfer(), own.data()) >= 0, name_);
+        // By itself each rank, for its rows lie side by side: in a write of all, Open MPI's ranks
+        // wait for ever for one whose disk is full.
+        require(ranks_, own.empty() || H5Dwrite(set, type, memory, space, H5P_DEFAULT, own.data()) >= 0,
+                name_);
     }
     void put_longs(const char* array, std::span<const std::int64_t> own, std::uint64_t first,
                    std::uint64_t all, std::uint64_t columns) const {
@@ -90,7 +105,7 @@ class Group {
         const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
         const Handle made(H5Acreate2(group_, attribute, type, space, H5P_DEFAULT, H5P_DEFAULT),
                           H5Aclose);
-        require(made.is_there() && H5Awrite(made, type, text.data()) >= 0, name_);
+        require(ranks_, made.is_there() && H5Awrite(made, type, text.data()) >= 0, name_);
     }
     void put_version(std::int64_t major, std::int64_t minor) const {
         const std::array<std::int64_t, 2> version = {major, minor};
@@ -99,7 +114,7 @@ class Group {
         const Handle made(
             H5Acreate2(group_, "Version", H5T_STD_I64LE, space, H5P_DEFAULT, H5P_DEFAULT),
             H5Aclose);
-        require(made.is_there() && H5Awrite(made, H5T_NATIVE_INT64, version.data()) >= 0, name_);
+        require(ranks_, made.is_there() && H5Awrite(made, H5T_NATIVE_INT64, version.data()) >= 0, name_);
     }
 
  private:
@@ -109,6 +124,7 @@ class Group {
         H5Pset_obj_track_times(properties, 0);
         return properties;
     }
+    Communicator& ranks_;
     std::string name_;
     Handle group_;
 };
@@ -138,8 +154,8 @@ void write_hdf5(Communicator& ranks, const std::string& name, const Whole& whole
         const Handle file(
             H5Fcreate(unfinished(name).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access_by(ranks.get())),
             H5Fclose);
-        require(file.is_there(), name);
-        const Group vtk(name, file, "/VTKHDF");
+        require(ranks, file.is_there(), name);
+        const Group vtk(ranks, name, file, "/VTKHDF");
         vtk.put_version(1, 0);
         vtk.put_text("Type", "UnstructuredGrid");
         const auto put_number = [&](const char* array, std::uint64_t number) {
@@ -166,11 +182,11 @@ void write_hdf5(Communicator& ranks, const std::string& name, const Whole& whole
         const std::vector<std::uint8_t> types(static_cast<std::size_t>(finite),
                                               size == 4 ? tetrahedron : triangle);
         vtk.put<std::uint8_t>("Types", H5T_STD_U8LE, H5T_NATIVE_UINT8, types, ours(first), all, 1);
-        const Group point_data(name, file, "/VTKHDF/PointData");
+        const Group point_data(ranks, name, file, "/VTKHDF/PointData");
         point_data.put<double>(whole.weight_is == WeightIs::weight ? "weight" : "radius",
                                H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, thirds, first_site, sites, 1);
 
-        const Group own(name, file, "/signum");
+        const Group own(ranks, name, file, "/signum");
         own.put_text("metric", std::string(name_of(whole.metric)));
         own.put_longs(size == 4 ? "cells" : "faces", stretch.faces, ours(stretch.first_face),
                       ours(stretch.faces_of_all), size);
@@ -179,7 +195,7 @@ void write_hdf5(Communicator& ranks, const std::string& name, const Whole& whole
         std::vector<std::int64_t> hidden;
         for (const auto& [site, by] : stretch.hidden) hidden.insert(hidden.end(), {site, by});
         own.put_longs("hidden", hidden, ours(stretch.first_hidden), ours(stretch.hidden_of_all), 2);
-        require(H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0, name);
+        require(ranks, H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0, name);
     });
 }
 

@@ -20,7 +20,7 @@ struct ReadStretch {
     std::optional<Says> says;
 };
 
-/// `name`: .h5, .hdf5 or .vtkhdf as signum-mpi writes it, or .i32, faces alone; `dimension`: of
+/// `name`: .h5, .hdf5 or .vtkhdf as signum-mpi writes it, or .npy and .i32, faces alone; `dimension`: of
 /// the latter. Collective. Throws InputError and
 /// MachineError.
 [[nodiscard]] ReadStretch read_stretch(Communicator& ranks, const std::string& name,
