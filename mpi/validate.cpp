@@ -313,7 +313,13 @@ class Arrays {
             if (before && now < *before) notes.note(name(number(c)) + " is not in canonical order");
             before = now;
         }
-        if (!std::ranges::is_sorted(stretch_.hidden, {}, &WholeHidden::site))
+        // Each rank's first and last one, where it has any.
+        std::vector<std::int64_t> ends;
+        if (!stretch_.hidden.empty())
+            ends = {stretch_.hidden.front().site, stretch_.hidden.back().site};
+        ends = ranks_.all_of<std::int64_t>(ends);
+        if (!std::ranges::is_sorted(stretch_.hidden, {}, &WholeHidden::site) ||
+            !std::ranges::is_sorted(ends))
             notes.note("the hidden sites are not in canonical order");
     }
 

@@ -14,6 +14,7 @@
 #include <stop_token>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -137,6 +138,31 @@ TEST(OnDisk, SaysWhatItCannot) {
     EXPECT_THROW(build({.parts = in_parts(2), .stop = stop.get_token()}), Stopped);
     sites[1].r = HUGE_VAL;
     EXPECT_THROW(build({.parts = in_parts(2)}), std::invalid_argument);
+}
+
+TEST(OnDisk, SaysThatSitesHaveChanged) {
+    std::vector<Site> sites = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 3, 0}};
+    distributed::SlicedSites slices = in_slices(sites, 1);
+    bool is_first = true;
+    // Another place, one more, one less.
+    const std::array<std::function<void(std::vector<Placed>&)>, 3> changes = {
+        [](auto& some) { some[4].site.x = 4.0; },
+        [](auto& some) { some.push_back({Site{5, 1, 0}, 5}); },
+        [](auto& some) { some.pop_back(); }};
+    for (const auto& change : changes) {
+        is_first = true;
+        const distributed::SlicedSites changing = {1, [&](std::size_t slice) {
+                                                       std::vector<Placed> some =
+                                                           slices.read(slice);
+                                                       if (!std::exchange(is_first, false))
+                                                           change(some);
+                                                       return some;
+                                                   }};
+        EXPECT_THROW(distributed::triangulate_on_disk(
+                         changing, {.metric = Metric::power}, {.folder = folder},
+                         [](const WholeCounts&) {}, [](std::span<const std::int64_t>) {}),
+                     distributed::SitesChanged);
+    }
 }
 
 TEST(OnDisk, SaysWhereItCannotWrite) {

@@ -234,21 +234,23 @@ TEST_F(Resumed, RefusesThePiecesOfAnotherCall) {
                                   "or leave --resume out\n"))
             << outcome.err;
     };
-    expect_difference({"--metric", "euclidean"}, "metric power there and euclidean here;");
-    expect_difference({"--weight-is", "weight"}, "weight_is radius there and weight here;");
-    expect_difference({"--memory", "3M"}, "parts 13 there and 9 here;");
-    const auto time = std::filesystem::last_write_time(sites);
-    std::filesystem::last_write_time(sites, time + std::chrono::seconds(1));
-    expect_difference({}, "input_modified 2");
-    // Other sites in a file of the same size and time.
+    expect_difference({"--metric", "euclidean"}, "metric power there and euclidean here, it had --memory 2M --threads 1;");
+    expect_difference({"--weight-is", "weight"}, "weight_is radius there and weight here, it had");
+    expect_difference({"--memory", "3M"}, "parts 13 there and 9 here, it had");
+    // Other sites in a file of the same size.
     std::string bytes = contents(sites);
     bytes[3] = static_cast<char>(bytes[3] ^ 1);
     static_cast<void>(scratch.file("sites.f64", bytes));
-    std::filesystem::last_write_time(sites, time);
     expect_difference({}, "checksum ");
     static_cast<void>(scratch.file("faces.i32.parts/manifest.json", "{\"form"));
     expect_refusal(call(sites), "signum: " + folder +
                                     "/manifest.json is damaged; delete its folder, or leave "
+                                    "--resume out\n");
+    EXPECT_FALSE(files("faces-", ".piece").empty());
+    // A folder that is somebody else's stays as it is.
+    std::filesystem::remove(folder + "/manifest.json");
+    expect_refusal(call(sites), "signum: " + folder +
+                                    " is there, and has no pieces; move it away, or leave "
                                     "--resume out\n");
     EXPECT_FALSE(files("faces-", ".piece").empty());
     std::filesystem::remove_all(folder);

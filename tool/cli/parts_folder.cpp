@@ -46,6 +46,11 @@ std::string shown(const nlohmann::json& value) {
 }  // namespace
 
 PartsFolder::PartsFolder(std::string path) : path_(std::move(path)) {
+    std::error_code none;
+    if (std::filesystem::exists(path_, none) && !std::filesystem::exists(manifest(), none) &&
+        !(std::filesystem::is_directory(path_, none) && std::filesystem::is_empty(path_, none)))
+        throw CallError(fmt::format(
+            "{} is there, and has no pieces; move it away, or leave --resume out", path_));
     // A process that has just finished may take folder and manifest away between two steps.
     while (descriptor_ < 0 || !has_name(descriptor_, manifest())) {
         if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
@@ -90,9 +95,12 @@ void PartsFolder::require(const nlohmann::json& values) {
             differences.push_back(
                 fmt::format("{} {} there and {} here", key, shown(there), shown(value)));
     }
-    if (!differences.empty())
-        throw CallError(fmt::format("the pieces in {} are another call's: {}; {}", path_,
-                                    fmt::join(differences, ", "), advice));
+    if (differences.empty()) return;
+    if (there_.contains("memory") && there_.contains("threads"))
+        differences.push_back(fmt::format("it had --memory {} --threads {}",
+                                          shown(there_["memory"]), shown(there_["threads"])));
+    throw CallError(fmt::format("the pieces in {} are another call's: {}; {}", path_,
+                                fmt::join(differences, ", "), advice));
 }
 
 void PartsFolder::write() {

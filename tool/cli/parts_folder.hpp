@@ -27,7 +27,9 @@ class PartsFolder {
     /// What the pieces have to belong to. Throws CallError where the manifest has another value
     /// for one of these keys.
     void require(const nlohmann::json& values);
-    /// Writes all that was required into the manifest where that is empty.
+    /// What the manifest says beside that, for a message.
+    void note(const nlohmann::json& values) { asked_.update(values); }
+    /// Writes all that was required or noted into the manifest where that is empty.
     void write();
     /// With all pieces.
     void remove() noexcept;

@@ -1,6 +1,5 @@
 #include "within_memory.hpp"
 
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,7 +11,6 @@
 #include <system_error>
 #include <vector>
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "../../core/parallel.hpp"
@@ -89,13 +87,6 @@ class Slices {
     std::int64_t lines_ = 0;
 };
 
-/// When a file was last written to.
-std::string modified(const std::string& path) {
-    struct stat status = {};
-    if (::stat(path.c_str(), &status) != 0) return {};
-    return fmt::format("{:%FT%T}.{:09}Z", fmt::gmtime(status.st_mtim.tv_sec),
-                       status.st_mtim.tv_nsec);
-}
 /// Where the pieces of an output lie: on its own file system, so that it can be renamed.
 std::string parts_of(const std::string& output) {
     std::error_code ignored;
@@ -209,10 +200,10 @@ void triangulate_within(const MemoryCall& memory, const SitesCall& call,
         kept->require({{"format", "signum.parts"},
                        {"version", 1},
                        {"input_bytes", size},
-                       {"input_modified", modified(call.input)},
                        {"metric", name_of(metric)},
                        {"weight_is", are_weights ? "weight" : "radius"},
                        {"dimension", dimension}});
+        kept->note({{"memory", memory.memory}, {"threads", workers.count()}});
     }
     const Outputs outputs(targets, kept ? kept->path() : std::string());
     distributed::WholeCounts counts;
@@ -246,6 +237,8 @@ void triangulate_within(const MemoryCall& memory, const SitesCall& call,
     } catch (const distributed::NoStructure& error) {
         if (kept) kept->remove();
         throw CallError(fmt::format("{}: {}; leave --memory out", call.input, error.what()));
+    } catch (const distributed::SitesChanged&) {
+        throw InputError(call.input, "it changed while it was read");
     } catch (const std::system_error& error) {
         throw MachineError(
             fmt::format("beside {}: {}{}", target.path, error.what(), kept ? goes_on : ""));

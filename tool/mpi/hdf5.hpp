@@ -44,11 +44,6 @@ class Handle {
     H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL);
     return access;
 }
-[[nodiscard]] inline Handle collective_transfer() {
-    Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
-    H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
-    return transfer;
-}
 
 /// The rows that a rank reads of so many: the first one, and how many.
 [[nodiscard]] inline std::pair<std::uint64_t, std::uint64_t> share_of(const Communicator& ranks,
@@ -75,22 +70,24 @@ class Dataset {
     [[nodiscard]] std::uint64_t rows() const noexcept { return shape_[0]; }
     [[nodiscard]] std::uint64_t columns() const noexcept { return axes_ == 1 ? 1 : shape_[1]; }
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
-    /// Some of its rows, as doubles or as 64-bit integers. Collective.
+    /// Some of its rows, as doubles or as 64-bit integers. By each rank for itself: in a call of
+    /// all, one that cannot read would leave the others waiting.
     template <class Number>
     [[nodiscard]] std::vector<Number> read(std::uint64_t first, std::uint64_t count) const {
-        if (rows() == 0) return {};
+        constexpr bool are_doubles = std::is_same_v<Number, double>;
+        const Handle stored(H5Dget_type(set_), H5Tclose);
+        const H5T_class_t kind = H5Tget_class(stored);
+        if (kind != H5T_INTEGER && !(are_doubles && kind == H5T_FLOAT))
+            throw InputError(name_, are_doubles ? "it holds no numbers" : "it holds no integers");
+        if (count == 0) return {};
         const Handle space(H5Dget_space(set_), H5Sclose);
         const std::array<hsize_t, 2> begin = {first, 0};
         const std::array<hsize_t, 2> extent = {count, columns()};
         std::vector<Number> numbers(count * columns());
         const Handle memory(H5Screate_simple(axes_, extent.data(), nullptr), H5Sclose);
         H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, extent.data(), nullptr);
-        if (count == 0) {
-            H5Sselect_none(space);
-            H5Sselect_none(memory);
-        }
-        const hid_t type = std::is_same_v<Number, double> ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64;
-        if (H5Dread(set_, type, memory, space, collective_transfer(), numbers.data()) < 0)
+        const hid_t type = are_doubles ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64;
+        if (H5Dread(set_, type, memory, space, H5P_DEFAULT, numbers.data()) < 0)
             throw InputError(name_, "it cannot be read as numbers");
         return numbers;
     }

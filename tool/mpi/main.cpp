@@ -95,8 +95,9 @@ Input read(Communicator& ranks, const Call& call) {
     const bool has_radii = ranks.most(slices.has_radii ? 1 : 0) != 0;
     const bool are_weights = call.last_is_weight || !call.weights.empty();
     if (ranks.rank() == 0 && !call.is_quiet && has_radii && radii.empty())
-        fmt::print(stderr, "{}: the last column is taken for {}\n", call.sites,
-                   are_weights ? "weights" : "radii");
+        fmt::print(stderr, "{}: the last column is taken for {}{}\n", call.sites,
+                   are_weights ? "weights" : "radii",
+                   call.dimension == 2 ? "; --dimension 3 takes x, y, z" : "");
     return {std::move(slices.sites),
             {metric_of(call), are_weights ? WeightIs::weight : WeightIs::radius,
              static_cast<std::size_t>(call.dimension)}};
@@ -168,6 +169,12 @@ void validate(Communicator& ranks, const Call& typed) {
             throw CLI::ValidationError(
                 "--metric", fmt::format("{} says that it is of the {} metric", call.tessellation,
                                         name_of(says->kind.metric)));
+        const bool has_weights = says->kind.weight_is == WeightIs::weight;
+        if (has_weights ? !call.radii.empty() : !call.weights.empty())
+            throw CLI::ValidationError(
+                has_weights ? "--radii" : "--weights",
+                fmt::format("{} was made of {}", call.tessellation,
+                            has_weights ? "weights (--weights)" : "radii (--radii)"));
         call.metric = name_of(says->kind.metric);
         call.dimension = static_cast<int>(says->kind.dimension);
         call.last_is_weight = says->kind.weight_is == WeightIs::weight;

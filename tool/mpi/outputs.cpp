@@ -51,13 +51,14 @@ std::string reason() {
         return 0;
     };
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take, &found);
-    return found.empty() ? "it fails elsewhere" : found;
+    return found.empty() ? "it fails" : found;
 }
 /// Whether it is done on all ranks: none goes on alone, for the next call is one of all. Throws
 /// MachineError.
 void require(Communicator& ranks, bool is_done, const std::string& name) {
     const std::string why = is_done ? "" : reason();
     if (ranks.most(is_done ? 0 : 1) == 0) return;
+    if (is_done) throw OtherFailed("another rank cannot write");
     throw MachineError(fmt::format("cannot write {}: {}", name, why));
 }
 

@@ -69,7 +69,7 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
     WholeCounts counts;
     const bool keeps = !options.pieces.folder.empty();
     constexpr std::uint64_t version = 1;  // of the pieces
-    if (keeps) counts.checksum = version;
+    counts.checksum = version;
 
     // Once through the sites for a sample: all of the first ones, then ever fewer.
     constexpr std::size_t most_sampled = 65'536;
@@ -78,7 +78,7 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
     for (std::size_t slice = 0; slice < sites.slices; ++slice) {
         const std::vector<Placed> some = sites.read(slice);
         check(some, kind);
-        if (keeps) counts.checksum = sum_of<Placed>(some, counts.checksum);
+        counts.checksum = sum_of<Placed>(some, counts.checksum);
         counts.sites += static_cast<std::int64_t>(some.size());
         const auto is_in = [&](const Placed& each) {
             return mix(static_cast<std::uint64_t>(each.id)) <= spared;
@@ -135,15 +135,20 @@ void build_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions
         for (std::size_t k = 0; k < parts; ++k) dealt.emplace_back(options.folder);
         const bool are_all_there =
             std::ranges::all_of(mapped, [](const auto& own) { return own.has_value(); });
+        std::uint64_t checksum = version;
         for (std::size_t slice = 0; slice < sites.slices; ++slice) {
             if (!are_all_there) {
-                for (const Placed& each : sites.read(slice)) {
+                const std::vector<Placed> some = sites.read(slice);
+                checksum = sum_of<Placed>(some, checksum);
+                for (const Placed& each : some) {
                     const std::size_t part = cuts.part_of(place_of(each));
                     if (!mapped[part]) dealt[part].append(each);
                 }
             }
             steps.step();
         }
+        if (!are_all_there && checksum != counts.checksum)
+            throw SitesChanged("other sites were read the second time");
         for (std::size_t k = parts; k-- > 0;) {
             // The last one first, so that each is gone when it has been read.
             std::vector<Placed> own = dealt.back().read();

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <stdexcept>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -21,6 +22,12 @@ struct SlicedSites {
     std::size_t slices;
     /// Those of one slice, numbered from 0 through all of them.
     std::function<std::vector<Placed>(std::size_t slice)> read;
+};
+
+/// They are not the same each time.
+class SitesChanged : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
 };
 
 /// How many bytes a site of a part takes while that is settled, and when faces are sorted.
@@ -39,7 +46,7 @@ struct WholeCounts {
     std::int64_t hidden = 0;
     std::int64_t faces = 0;  ///< or cells
     std::int64_t infinite_faces = 0;
-    std::uint64_t checksum = 0;  ///< of the sites and their numbers, where pieces are kept
+    std::uint64_t checksum = 0;  ///< of the sites and their numbers
 };
 
 /// What an earlier call left.
@@ -80,7 +87,7 @@ struct DiskOptions {
 /// Calls begin(counts), and put(numbers) for one stretch after the other of the faces in the order
 /// of arrays.hpp, three numbers each, or of cells in that of SpaceTessellation, four numbers each.
 /// Throws NoStructure, std::invalid_argument (what check() says, or no part, or more than
-/// most_parts), Stopped, std::system_error where the disk fails.
+/// most_parts), SitesChanged, Stopped, std::system_error where the disk fails.
 void triangulate_on_disk(const SlicedSites& sites, const Kind& kind, const DiskOptions& options,
                          const std::function<void(const WholeCounts&)>& begin,
                          const std::function<void(std::span<const std::int64_t>)>& put);

@@ -15,7 +15,7 @@ import h5py
 import numpy
 
 signum, ranks = sys.argv[1:3]
-seed, runs = (int(number) for number in (sys.argv[3:] + ["1", "33"][len(sys.argv) - 3 :]))
+seed, runs = (int(number) for number in (sys.argv[3:] + ["1", "36"][len(sys.argv) - 3 :]))
 chance = random.Random(seed)
 
 
@@ -72,6 +72,9 @@ def change(what, cells, neighbours, hidden, sites):
         chance.choice(hidden)[0] = chance.randrange(sites)
     elif what == "one hidden less" and hidden:
         hidden.pop(chance.randrange(len(hidden)))
+    elif what == "hidden in another order" and len(hidden) > 1:
+        i = len(hidden) // 2
+        hidden[i - 1], hidden[i] = hidden[i], hidden[i - 1]
     elif what == "a site moved":
         lines = open("sites.txt").read().splitlines()
         i = chance.randrange(len(lines))
@@ -85,7 +88,7 @@ def change(what, cells, neighbours, hidden, sites):
 
 changes = ["nothing", "a face elsewhere", "another site", "another neighbour", "a flip"]
 changes += ["a face turned over", "another beginning", "hidden by another", "another one hidden"]
-changes += ["one hidden less", "a site moved"]
+changes += ["one hidden less", "hidden in another order", "a site moved"]
 verdicts = collections.Counter()
 run = 0
 while run < runs:

@@ -124,8 +124,24 @@ wrong "a metric" 2 'none of power' lines.txt --metric manhatan
 wrong "a metric of space" 2 'power metric alone' lines.txt --dimension 3 --metric euclidean
 wrong "sites of the plane" 2 'x, y, z and perhaps r' line.txt --dimension 3
 for ending in npy h5 json pvtu; do
-  wrong "no folder for .$ending" 3 'none/out' square.txt -o "none/out.$ending"
+  wrong "no folder for .$ending" 2 'none/out.*directory that is there' square.txt -o "none/out.$ending"
 done
+for name in - out out.d/out ''; do
+  wrong "a name without an ending" 2 'ends as nothing that is written' square.txt -o "$name"
+done
+cp sites.npy same.npy
+wrong "the input for an output" 2 'would overwrite the input' same.npy -o ./same.npy
+cmp -s sites.npy same.npy || fail "the input is another one"
+wrong "radii and weights" 2 'not both' in.h5:/points --radii /a --weights /b
+# Where it can be made: a small disk.
+mkdir small
+if mount -t tmpfs -o size=200k tmpfs small 2>/dev/null; then
+  for ending in h5 npy; do
+    wrong "a full disk for .$ending" 3 "cannot write small/out.$ending: " sites.npy -o "small/out.$ending"
+    [ -z "$(ls small)" ] || fail "a full disk for .$ending: leaves $(ls small)"
+  done
+  umount small
+fi
 head -c 5000 sites.npy >short.npy
 head -c 100000 /dev/zero | tr '\0' 1 >long.txt
 wrong "a line without end" 2 'more than 65536 bytes' long.txt
@@ -213,7 +229,7 @@ fi
 command=validate output=
 ranks 2 triangulate square.txt --quiet -o square.h5 -o square.i32
 wrong "other sites" 1 'square.h5 is not a valid tessellation of names.txt' square.h5 names.txt
-wrong "another metric" 2 'says it itself' square.h5 square.txt --metric power
+wrong "another metric" 2 'says that it is of the euclidean' square.h5 square.txt --metric power
 cp square.txt text.h5
 wrong "no tessellation" 2 'no file of HDF5' text.h5 square.txt
 wrong "JSON" 2 'signum validate judges JSON' square.json square.txt
