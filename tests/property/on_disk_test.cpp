@@ -147,7 +147,9 @@ TEST(OnDisk, SaysThatSitesHaveChanged) {
     // Another place, one more, one less.
     const std::array<std::function<void(std::vector<Placed>&)>, 3> changes = {
         [](auto& some) { some[4].site.x = 4.0; },
-        [](auto& some) { some.push_back({Site{5, 1, 0}, 5}); },
+        [](auto& some) {
+            some.push_back({Site{5, 1, 0}, 5});
+        },
         [](auto& some) { some.pop_back(); }};
     for (const auto& change : changes) {
         is_first = true;

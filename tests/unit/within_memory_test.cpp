@@ -234,7 +234,8 @@ TEST_F(Resumed, RefusesThePiecesOfAnotherCall) {
                                   "or leave --resume out\n"))
             << outcome.err;
     };
-    expect_difference({"--metric", "euclidean"}, "metric power there and euclidean here, it had --memory 2M --threads 1;");
+    expect_difference({"--metric", "euclidean"},
+                      "metric power there and euclidean here, it had --memory 2M --threads 1;");
     expect_difference({"--weight-is", "weight"}, "weight_is radius there and weight here, it had");
     expect_difference({"--memory", "3M"}, "parts 13 there and 9 here, it had");
     // Other sites in a file of the same size.

@@ -257,7 +257,8 @@ End run(Communicator& ranks, int count, char** words) {
           "", validate}}};
     for (const Command& command : commands) {
         if (command.endings.empty())
-            command.app->add_option("TESSELLATION", call.tessellation, "FILE.h5, or FILE.npy, FILE.i32")
+            command.app
+                ->add_option("TESSELLATION", call.tessellation, "FILE.h5, or FILE.npy, FILE.i32")
                 ->required();
         command.app->add_option("SITES", call.sites, "FILE, or FILE.h5:/path/to/coordinates")
             ->required();

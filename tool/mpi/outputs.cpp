@@ -92,7 +92,8 @@ class Group {
         H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, extent.data(), nullptr);
         // By itself each rank, for its rows lie side by side: in a write of all, Open MPI's ranks
         // wait for ever for one whose disk is full.
-        require(ranks_, own.empty() || H5Dwrite(set, type, memory, space, H5P_DEFAULT, own.data()) >= 0,
+        require(ranks_,
+                own.empty() || H5Dwrite(set, type, memory, space, H5P_DEFAULT, own.data()) >= 0,
                 name_);
     }
     void put_longs(const char* array, std::span<const std::int64_t> own, std::uint64_t first,
@@ -115,7 +116,8 @@ class Group {
         const Handle made(
             H5Acreate2(group_, "Version", H5T_STD_I64LE, space, H5P_DEFAULT, H5P_DEFAULT),
             H5Aclose);
-        require(ranks_, made.is_there() && H5Awrite(made, H5T_NATIVE_INT64, version.data()) >= 0, name_);
+        require(ranks_, made.is_there() && H5Awrite(made, H5T_NATIVE_INT64, version.data()) >= 0,
+                name_);
     }
 
  private:

@@ -133,8 +133,8 @@ ReadStretch read_array(Communicator& ranks, const std::string& name, std::size_t
         for (const Site3& cell : file.in_space)
             for (const double number : {cell.x, cell.y, cell.z, cell.r}) put(number);
     });
-    read.stretch.faces_of_all = ranks.sum(
-        static_cast<std::int64_t>(read.stretch.faces.size() / read.stretch.corners));
+    read.stretch.faces_of_all =
+        ranks.sum(static_cast<std::int64_t>(read.stretch.faces.size() / read.stretch.corners));
     return read;
 }
 

@@ -20,9 +20,8 @@ struct ReadStretch {
     std::optional<Says> says;
 };
 
-/// `name`: .h5, .hdf5 or .vtkhdf as signum-mpi writes it, or .npy and .i32, faces alone; `dimension`: of
-/// the latter. Collective. Throws InputError and
-/// MachineError.
+/// `name`: .h5, .hdf5 or .vtkhdf as signum-mpi writes it, or .npy and .i32, faces alone;
+/// `dimension`: of the latter. Collective. Throws InputError and MachineError.
 [[nodiscard]] ReadStretch read_stretch(Communicator& ranks, const std::string& name,
                                        std::size_t dimension);
 /// Whether a name ends as one of a file that says itself what it is.
