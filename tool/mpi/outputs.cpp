@@ -1,7 +1,10 @@
 #include "outputs.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -42,95 +45,87 @@ void write_faces(Communicator& ranks, const std::string& name, const Whole& whol
 
 // ---- HDF5 --------------------------------------------------------------------------------------
 
-/// Why HDF5 failed, as far as it knows.
-std::string reason() {
-    std::string found;
-    const auto take = [](unsigned, const H5E_error2_t* error, void* to) -> herr_t {
-        auto& text = *static_cast<std::string*>(to);
-        if (text.empty() && error->desc != nullptr) text = error->desc;
-        return 0;
-    };
-    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take, &found);
-    return found.empty() ? "it fails" : found;
-}
-/// Whether it is done on all ranks: none goes on alone, for the next call is one of all. Throws
-/// MachineError.
-void require(Communicator& ranks, bool is_done, const std::string& name) {
-    const std::string why = is_done ? "" : reason();
-    if (ranks.most(is_done ? 0 : 1) == 0) return;
-    if (is_done) throw OtherFailed("another rank cannot write");
-    throw MachineError(fmt::format("cannot write {}: {}", name, why));
-}
-
-/// Arrays of one group of a file, of whose rows each rank has some.
-class Group {
+/// A file of HDF5 as one rank lays it out: groups, attributes, and arrays with places for their
+/// rows, which ranks write as bytes. Were HDF5 to write by all ranks, those would wait for ever for
+/// one whose disk is full.
+class Layout {
  public:
-    Group(Communicator& ranks, const std::string& name, const Handle& file, const char* path)
-        : ranks_(ranks),
-          name_(name),
-          group_(H5Gcreate2(file, path, H5P_DEFAULT, untimed(H5P_GROUP_CREATE), H5P_DEFAULT),
-                 H5Gclose) {
-        require(ranks_, group_.is_there(), name_);
+    explicit Layout(std::string name)
+        : name_(std::move(name)),
+          file_(H5Fcreate(unfinished(name_).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
+                H5Fclose) {
+        require(file_.is_there());
     }
-    [[nodiscard]] const Handle& get() const noexcept { return group_; }
-
-    /// `stored`: the type in the file.
-    template <class Number>
-    void put(const char* array, hid_t stored, hid_t type, std::span<const Number> own,
-             std::uint64_t first, std::uint64_t all, std::uint64_t columns) const {
+    /// Of those that follow.
+    void begin_group(const char* path) {
+        group_.emplace(H5Gcreate2(file_, path, H5P_DEFAULT, untimed(H5P_GROUP_CREATE), H5P_DEFAULT),
+                       H5Gclose);
+        require(group_->is_there());
+    }
+    /// Where its first row will be in the file.
+    [[nodiscard]] std::uint64_t put_array(const char* array, hid_t type, std::uint64_t rows,
+                                          std::uint64_t columns) const {
         const int axes = columns == 1 ? 1 : 2;
-        const std::array<hsize_t, 2> shape = {all, columns};
+        const std::array<hsize_t, 2> shape = {rows, columns};
         const Handle space(H5Screate_simple(axes, shape.data(), nullptr), H5Sclose);
-        const Handle set(H5Dcreate2(group_, array, stored, space, H5P_DEFAULT,
-                                    untimed(H5P_DATASET_CREATE), H5P_DEFAULT),
+        const Handle how = untimed(H5P_DATASET_CREATE);
+        H5Pset_alloc_time(how, H5D_ALLOC_TIME_EARLY);
+        H5Pset_fill_time(how, H5D_FILL_TIME_NEVER);
+        const Handle set(H5Dcreate2(*group_, array, type, space, H5P_DEFAULT, how, H5P_DEFAULT),
                          H5Dclose);
-        require(ranks_, set.is_there(), name_);
-        if (all == 0) return;
-        const std::array<hsize_t, 2> begin = {first, 0};
-        const std::array<hsize_t, 2> extent = {own.size() / columns, columns};
-        const Handle memory(H5Screate_simple(axes, extent.data(), nullptr), H5Sclose);
-        H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, extent.data(), nullptr);
-        // By itself each rank, for its rows lie side by side: in a write of all, Open MPI's ranks
-        // wait for ever for one whose disk is full.
-        require(ranks_,
-                own.empty() || H5Dwrite(set, type, memory, space, H5P_DEFAULT, own.data()) >= 0,
-                name_);
-    }
-    void put_longs(const char* array, std::span<const std::int64_t> own, std::uint64_t first,
-                   std::uint64_t all, std::uint64_t columns) const {
-        put(array, H5T_STD_I64LE, H5T_NATIVE_INT64, own, first, all, columns);
+        require(set.is_there());
+        return rows == 0 ? 0 : H5Dget_offset(set);
     }
     void put_text(const char* attribute, const std::string& text) const {
         const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
         H5Tset_size(type, text.size());
         H5Tset_strpad(type, H5T_STR_NULLPAD);
         const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-        const Handle made(H5Acreate2(group_, attribute, type, space, H5P_DEFAULT, H5P_DEFAULT),
-                          H5Aclose);
-        require(ranks_, made.is_there() && H5Awrite(made, type, text.data()) >= 0, name_);
+        put(attribute, type, type, space, text.data());
     }
     void put_version(std::int64_t major, std::int64_t minor) const {
         const std::array<std::int64_t, 2> version = {major, minor};
         const hsize_t two = 2;
         const Handle space(H5Screate_simple(1, &two, nullptr), H5Sclose);
-        const Handle made(
-            H5Acreate2(group_, "Version", H5T_STD_I64LE, space, H5P_DEFAULT, H5P_DEFAULT),
-            H5Aclose);
-        require(ranks_, made.is_there() && H5Awrite(made, H5T_NATIVE_INT64, version.data()) >= 0,
-                name_);
+        put("Version", H5T_STD_I64LE, H5T_NATIVE_INT64, space, version.data());
     }
+    /// What is said so far, to the disk.
+    void flush() const { require(H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0); }
 
  private:
+    void put(const char* attribute, hid_t stored, hid_t type, hid_t space,
+             const void* value) const {
+        const Handle made(H5Acreate2(*group_, attribute, stored, space, H5P_DEFAULT, H5P_DEFAULT),
+                          H5Aclose);
+        require(made.is_there() && H5Awrite(made, type, value) >= 0);
+    }
+    void require(bool is_done) const {
+        if (!is_done) fail(name_, errno);
+    }
     /// The time would make each file another one.
     [[nodiscard]] static Handle untimed(hid_t kind) {
         Handle properties(H5Pcreate(kind), H5Pclose);
         H5Pset_obj_track_times(properties, 0);
         return properties;
     }
-    Communicator& ranks_;
     std::string name_;
-    Handle group_;
+    Handle file_;
+    std::optional<Handle> group_;
 };
+
+/// The rows of an array that a rank has.
+struct Rows {
+    std::size_t array;  ///< its place among all
+    std::uint64_t first_byte;
+    std::span<const char> bytes;
+};
+template <class Number>
+[[nodiscard]] Rows rows_of(std::size_t array, std::uint64_t first_number,
+                           std::span<const Number> own) {
+    return {array,
+            first_number * sizeof(Number),
+            {reinterpret_cast<const char*>(own.data()), own.size_bytes()}};
+}
 
 /// Faces, neighbours and hidden sites as signum has them, and the finite faces as triangles, cells
 /// as tetrahedra, between the centres as VTK's readers take them.
@@ -152,53 +147,74 @@ void write_hdf5(Communicator& ranks, const std::string& name, const Whole& whole
     const bool is_first = ranks.rank() == 0;
     const auto ours = [](std::int64_t number) { return static_cast<std::uint64_t>(number); };
 
+    const std::array<std::int64_t, 3> numbers = {static_cast<std::int64_t>(sites),
+                                                 static_cast<std::int64_t>(all),
+                                                 static_cast<std::int64_t>(size * all)};
+    std::vector<double> places;
+    std::vector<double> thirds;
+    std::vector<std::int64_t> offsets;
+    std::vector<std::uint8_t> types;
+    std::vector<std::int64_t> hidden;
     ranks.together([&] {
-        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-        const Handle file(
-            H5Fcreate(unfinished(name).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access_by(ranks.get())),
-            H5Fclose);
-        require(ranks, file.is_there(), name);
-        const Group vtk(ranks, name, file, "/VTKHDF");
-        vtk.put_version(1, 0);
-        vtk.put_text("Type", "UnstructuredGrid");
-        const auto put_number = [&](const char* array, std::uint64_t number) {
-            const std::array<std::int64_t, 1> one = {static_cast<std::int64_t>(number)};
-            vtk.put_longs(array, std::span(one).first(is_first ? 1 : 0), 0, 1, 1);
-        };
-        put_number("NumberOfPoints", sites);
-        put_number("NumberOfCells", all);
-        put_number("NumberOfConnectivityIds", size * all);
-        std::vector<double> places;
-        std::vector<double> thirds;
         for (const auto& [site, id] : whole.slice) {
             places.insert(places.end(), {site.x, site.y, site.z});
             thirds.push_back(site.r);
         }
-        vtk.put<double>("Points", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, places, first_site, sites, 3);
-        vtk.put_longs("Connectivity", corners, size * ours(first), size * all, 1);
-        std::vector<std::int64_t> offsets;
         for (std::int64_t k = is_first ? 0 : 1; k <= finite; ++k)
             offsets.push_back(static_cast<std::int64_t>(size) * (first + k));
-        vtk.put_longs("Offsets", offsets, is_first ? 0 : ours(first) + 1, all + 1, 1);
         constexpr std::uint8_t triangle = 5;
         constexpr std::uint8_t tetrahedron = 10;
-        const std::vector<std::uint8_t> types(static_cast<std::size_t>(finite),
-                                              size == 4 ? tetrahedron : triangle);
-        vtk.put<std::uint8_t>("Types", H5T_STD_U8LE, H5T_NATIVE_UINT8, types, ours(first), all, 1);
-        const Group point_data(ranks, name, file, "/VTKHDF/PointData");
-        point_data.put<double>(whole.weight_is == WeightIs::weight ? "weight" : "radius",
-                               H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, thirds, first_site, sites, 1);
-
-        const Group own(ranks, name, file, "/signum");
-        own.put_text("metric", std::string(name_of(whole.metric)));
-        own.put_longs(size == 4 ? "cells" : "faces", stretch.faces, ours(stretch.first_face),
-                      ours(stretch.faces_of_all), size);
-        own.put_longs("neighbours", stretch.neighbours, ours(stretch.first_face),
-                      ours(stretch.faces_of_all), size);
-        std::vector<std::int64_t> hidden;
+        types.assign(static_cast<std::size_t>(finite), size == 4 ? tetrahedron : triangle);
         for (const auto& [site, by] : stretch.hidden) hidden.insert(hidden.end(), {site, by});
-        own.put_longs("hidden", hidden, ours(stretch.first_hidden), ours(stretch.hidden_of_all), 2);
-        require(ranks, H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0, name);
+    });
+
+    std::vector<std::uint64_t> begins;
+    ranks.together([&] {
+        if (!is_first) return;
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+        Layout layout(name);
+        const auto put = [&](const char* array, hid_t type, std::uint64_t rows,
+                             std::uint64_t columns) {
+            begins.push_back(layout.put_array(array, type, rows, columns));
+        };
+        layout.begin_group("/VTKHDF");
+        layout.put_version(1, 0);
+        layout.put_text("Type", "UnstructuredGrid");
+        for (const char* const array :
+             {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
+            put(array, H5T_NATIVE_INT64, 1, 1);
+        put("Points", H5T_NATIVE_DOUBLE, sites, 3);
+        put("Connectivity", H5T_NATIVE_INT64, size * all, 1);
+        put("Offsets", H5T_NATIVE_INT64, all + 1, 1);
+        put("Types", H5T_NATIVE_UINT8, all, 1);
+        layout.begin_group("/VTKHDF/PointData");
+        put(whole.weight_is == WeightIs::weight ? "weight" : "radius", H5T_NATIVE_DOUBLE, sites, 1);
+        layout.begin_group("/signum");
+        layout.put_text("metric", std::string(name_of(whole.metric)));
+        put(size == 4 ? "cells" : "faces", H5T_NATIVE_INT64, ours(stretch.faces_of_all), size);
+        put("neighbours", H5T_NATIVE_INT64, ours(stretch.faces_of_all), size);
+        put("hidden", H5T_NATIVE_INT64, ours(stretch.hidden_of_all), 2);
+        layout.flush();
+    });
+    begins = ranks.all_of<std::uint64_t>(begins);
+
+    const auto first_cell = ours(stretch.first_face) * size;
+    SharedFile file(ranks, name, SharedFile::Opened::as_it_is);
+    ranks.together([&] {
+        std::vector<Rows> rows = {
+            rows_of<double>(3, 3 * first_site, places),
+            rows_of<std::int64_t>(4, size * ours(first), corners),
+            rows_of<std::int64_t>(5, is_first ? 0 : ours(first) + 1, offsets),
+            rows_of<std::uint8_t>(6, ours(first), types),
+            rows_of<double>(7, first_site, thirds),
+            rows_of<std::int64_t>(8, first_cell, stretch.faces),
+            rows_of<std::int64_t>(9, first_cell, stretch.neighbours),
+            rows_of<std::int64_t>(10, 2 * ours(stretch.first_hidden), hidden)};
+        for (std::size_t k = 0; k < numbers.size() && is_first; ++k)
+            rows.push_back(rows_of<std::int64_t>(k, 0, std::span(numbers).subspan(k, 1)));
+        for (const auto& [array, first_byte, bytes] : rows)
+            file.write(begins[array] + first_byte, bytes.data(), bytes.size());
+        file.finish();
     });
 }
 

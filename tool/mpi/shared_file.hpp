@@ -30,10 +30,13 @@ namespace signum::mpi {
 /// Bytes at places of one file.
 class SharedFile {
  public:
-    SharedFile(Communicator& ranks, const std::string& name) : name_(name) {
+    enum class Opened : std::uint8_t { anew, as_it_is };
+
+    SharedFile(Communicator& ranks, const std::string& name, Opened opened = Opened::anew)
+        : name_(name) {
         const int flags = O_WRONLY | O_CLOEXEC;
         ranks.together([&] {
-            if (ranks.rank() == 0) open(flags | O_CREAT | O_TRUNC);
+            if (ranks.rank() == 0) open(opened == Opened::anew ? flags | O_CREAT | O_TRUNC : flags);
         });
         ranks.together([&] {
             if (ranks.rank() != 0) open(flags);
