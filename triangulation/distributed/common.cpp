@@ -161,8 +161,11 @@ std::size_t Farthest::strip(std::size_t cone, const Vector& out) const noexcept 
 void Farthest::include(std::span<const Placed> sites) {
     const exact::IeeeEnvironment environment;
     const auto together = static_cast<double>(dimension());
+    // A few for each strip suffice: more cost every part more than they spare it.
+    const std::size_t step = std::max<std::size_t>(sites.size() / (4 * far_.size()), 1);
     for (std::size_t c = 0; c < cones_.size(); ++c) {
-        for (const Placed& each : sites) {
+        for (std::size_t i = 0; i < sites.size(); i += step) {
+            const Placed& each = sites[i];
             const Vector g = along(cones_[c], point(each.site));
             Far& far = far_[strip(c, g)];
             const double out =
@@ -178,22 +181,30 @@ void Farthest::include(std::span<const Placed> sites) {
     }
 }
 
-bool Farthest::have_an_end(const Extent& extent) const noexcept {
-    for (std::size_t c = 0; c < cones_.size(); ++c) {
-        const Vector g = along(cones_[c], extent);
-        const auto& [u, out] = far_[strip(c, g)];
-        if (out == -HUGE_VAL) return false;
-        const Vector of_u = along(cones_[c], point(u));
-        const double radii =
-            has_radii_ ? std::max(scale * extent.high[weight_place] - scale * u.r, 0.0) : 0.0;
-        // A few roundings each, and some for a unit vector that is none.
-        double magnitude = radii + scale * (std::fabs(u.x) + std::fabs(u.y) + std::fabs(u.z));
-        for (std::size_t axis = 0; axis < axes; ++axis)
-            magnitude += std::fabs(g[axis]) +
-                         scale * (std::fabs(extent.low[axis]) + std::fabs(extent.high[axis]));
-        const double slack = 0x1p-44 * magnitude + 0x1p-1000;
-        for (std::size_t k = 0; k < dimension(); ++k)
-            if (!(of_u[k] - g[k] > radii + slack)) return false;
+bool Farthest::is_beyond(std::size_t c, const Extent& extent) const noexcept {
+    const Vector g = along(cones_[c], extent);
+    const auto& [u, out] = far_[strip(c, g)];
+    if (out == -HUGE_VAL) return false;
+    const Vector of_u = along(cones_[c], point(u));
+    const double radii =
+        has_radii_ ? std::max(scale * extent.high[weight_place] - scale * u.r, 0.0) : 0.0;
+    // A few roundings each, and some for a unit vector that is none.
+    double magnitude = radii + scale * (std::fabs(u.x) + std::fabs(u.y) + std::fabs(u.z));
+    for (std::size_t axis = 0; axis < axes; ++axis)
+        magnitude += std::fabs(g[axis]) +
+                     scale * (std::fabs(extent.low[axis]) + std::fabs(extent.high[axis]));
+    const double slack = 0x1p-44 * magnitude + 0x1p-1000;
+    for (std::size_t k = 0; k < dimension(); ++k)
+        if (!(of_u[k] - g[k] > radii + slack)) return false;
+    return true;
+}
+
+bool Farthest::have_an_end(const Extent& extent, std::size_t& first) const noexcept {
+    for (std::size_t k = 0; k < cones_.size(); ++k) {
+        const std::size_t c = (first + k) % cones_.size();
+        if (is_beyond(c, extent)) continue;
+        first = c;
+        return false;
     }
     return true;
 }
@@ -201,7 +212,10 @@ bool Farthest::have_an_end(const Extent& extent) const noexcept {
 std::vector<Placed> endless_among(const SiteStore& store, const Farthest& farthest) {
     const exact::IeeeEnvironment environment;
     const auto may_be_endless = [](const Farthest& by) {
-        return [&by](const Extent& extent) { return !by.have_an_end(extent); };
+        // Extents that follow one another are near: mostly the same cone decides.
+        return [&by, cone = std::size_t{0}](const Extent& extent) mutable {
+            return !by.have_an_end(extent, cone);
+        };
     };
     const std::vector<Placed> first = store.sites_where(may_be_endless(farthest));
     Farthest better = farthest;

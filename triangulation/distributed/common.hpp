@@ -35,10 +35,12 @@ class Farthest {
     /// `whole`: of all sites.
     Farthest(const Kind& kind, const Extent& whole);
 
-    /// Some of the sites: the more, the fewer others are taken for endless. O(n).
+    /// Some of the sites: the more, the fewer others are taken for endless. Of many it takes a
+    /// part, evenly. O(n).
     void include(std::span<const Placed> sites);
-    /// Whether any site in an extent (SiteStore) has a cell with an end.
-    [[nodiscard]] bool have_an_end(const Extent& extent) const noexcept;
+    /// Whether any site in an extent (SiteStore) has a cell with an end. Asks cone `first` before
+    /// the others; it becomes a cone that says no.
+    [[nodiscard]] bool have_an_end(const Extent& extent, std::size_t& first) const noexcept;
 
  private:
     struct Far {
@@ -52,6 +54,8 @@ class Farthest {
     };
 
     [[nodiscard]] std::size_t dimension() const noexcept { return cones_.front().vectors.size(); }
+    /// Whether a known site is beyond all that are in an extent, in a cone.
+    [[nodiscard]] bool is_beyond(std::size_t cone, const Extent& extent) const noexcept;
     /// How far a site is out along a cone's vectors, or the farthest place of an extent.
     [[nodiscard]] static Vector along(const Cone& cone, const Extent& extent) noexcept;
     /// Where in far_ the strip of a cone is.

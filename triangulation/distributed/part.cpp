@@ -184,8 +184,17 @@ class PartOf final : public Settling<K> {
             std::vector<Index> later(sites_.size() - at(before));
             std::iota(later.begin(), later.end(), before);
             std::ranges::sort(later, precedes);
-            LargeArray<Index> merged(sites_.size());
-            std::ranges::merge(by_rank_, later, merged.begin(), precedes);
+            // Few come among many, whose order is known: each is searched for.
+            LargeArray<Index> merged;
+            merged.reserve(sites_.size());
+            auto from = by_rank_.begin();
+            for (const Index v : later) {
+                const auto to = std::lower_bound(from, by_rank_.end(), v, precedes);
+                merged.insert(merged.end(), from, to);
+                merged.push_back(v);
+                from = to;
+            }
+            merged.insert(merged.end(), from, by_rank_.end());
             by_rank_ = std::move(merged);
             spread_ranks();
         }
@@ -259,13 +268,18 @@ class PartOf final : public Settling<K> {
         }
         return result;
     }
+    /// Whether a face came with the last sites. A vacant one did not.
+    [[nodiscard]] bool came(Index f) const noexcept {
+        const auto& v = topology_.vertices(f);
+        return std::max({v[0], v[1], v[2]}) >= asked_of_;
+    }
     /// Finite ones that came with the last sites, at own sites, that may be reached.
     [[nodiscard]] std::vector<Index> faces_that_came() const {
         std::vector<Index> faces;
         if (this->unknown().empty()) return faces;
         for (Index f = 0; f < topology_.faces(); ++f) {
+            if (!came(f) || topology_.is_infinite(f)) continue;
             const auto& v = topology_.vertices(f);
-            if (std::max({v[0], v[1], v[2]}) < asked_of_ || topology_.is_infinite(f)) continue;
             if ((is_own(v[0]) || is_own(v[1]) || is_own(v[2])) && may_be_reached(f))
                 faces.push_back(f);
         }
@@ -273,43 +287,21 @@ class PartOf final : public Settling<K> {
     }
     /// The edges between sites, one of them own, of which sites that are not known may take the
     /// middle and leave both ends; of the faces that came with the last sites.
-    [[nodiscard]] std::vector<HalfEdge> edges_that_may_be_reached() const {
+    [[nodiscard]] std::vector<HalfEdge> edges_that_may_be_reached() {
         std::vector<HalfEdge> edges;
         if constexpr (!Kernel::is_straight) {
             if (this->unknown().empty()) return edges;
-            const Extent& known = this->searched();
-            // Sites that stay within what is known, and by more than what may reach in from beyond
-            // with a radius below 0: of two of them no edge is taken.
-            double least = 0.0;
-            for (const auto& each : this->unknown())
-                least = std::min(least, each.second.low[weight_place]);
-            std::vector<char> stays(sites_.size());
-            for (std::size_t v = 0; v < sites_.size(); ++v) {
-                const double x = sites_[v].x;
-                const double y = sites_[v].y;
-                // Two roundings each.
-                const double r =
-                    (sites_[v].r - least) + 0x1p-50 * (std::fabs(sites_[v].r) + std::fabs(least) +
-                                                       std::fabs(x) + std::fabs(y));
-                stays[v] = static_cast<char>(x - r > known.low[0] && x + r < known.high[0] &&
-                                             y - r > known.low[1] && y + r < known.high[1]);
-            }
-            const auto sticks_out = [&](Index v) { return v >= 0 && stays[at(v)] == 0; };
-            const auto came = [&](const Index(&v)[3]) {
-                return std::max({v[0], v[1], v[2]}) >= asked_of_;
-            };
+            find_who_stays();
             for (Index f = 0; f < topology_.faces(); ++f) {
-                const auto& v = topology_.vertices(f);
-                if (topology_.is_vacant(f)) continue;
-                if (!sticks_out(v[0]) && !sticks_out(v[1]) && !sticks_out(v[2])) continue;
+                if (!came(f)) continue;
                 for (unsigned k = 0; k < 3; ++k) {
                     const HalfEdge h = Topology::first_edge(f) + k;
                     const HalfEdge twin = topology_.twin(h);
-                    if (h > twin || !(came(v) || came(topology_.vertices(Topology::face(twin)))))
-                        continue;
+                    if (h > twin && came(Topology::face(twin))) continue;
                     const Index i = topology_.origin(h);
                     const Index j = topology_.target(h);
                     if (i < 0 || j < 0 || !(is_own(i) || is_own(j))) continue;
+                    if (stays_[at(i)] != 0 && stays_[at(j)] != 0) continue;
                     const Middle middle(placed(i), placed(j));
                     if (std::ranges::any_of(this->unknown(), [&](const auto& each) {
                             return middle.may_be_taken_from(each.second);
@@ -319,6 +311,24 @@ class PartOf final : public Settling<K> {
             }
         }
         return edges;
+    }
+    /// Of sites that have come: who stays within what is known, and by more than what may reach in
+    /// from beyond with a radius below 0. Of two such sites no edge is taken.
+    void find_who_stays() {
+        const Extent& known = this->searched();
+        double least = 0.0;
+        for (const auto& each : this->unknown())
+            least = std::min(least, each.second.low[weight_place]);
+        for (std::size_t v = stays_.size(); v < sites_.size(); ++v) {
+            const double x = sites_[v].x;
+            const double y = sites_[v].y;
+            // Two roundings each.
+            const double r =
+                (sites_[v].r - least) +
+                0x1p-50 * (std::fabs(sites_[v].r) + std::fabs(least) + std::fabs(x) + std::fabs(y));
+            stays_.push_back(static_cast<char>(x - r > known.low[0] && x + r < known.high[0] &&
+                                               y - r > known.low[1] && y + r < known.high[1]));
+        }
     }
 
     [[nodiscard]] std::vector<HiddenBy> hidden_by_known() override {
@@ -368,6 +378,7 @@ class PartOf final : public Settling<K> {
     LargeArray<S> sites_;
     Numbers numbers_;
     LargeArray<Index> by_rank_;
+    std::vector<char> stays_;  ///< edges_that_may_be_reached()
     LargeArray<Index> hidden_by_;
     Topology topology_{0};
 };
