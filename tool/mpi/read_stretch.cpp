@@ -117,7 +117,7 @@ ReadStretch read_array(Communicator& ranks, const std::string& name, std::size_t
     ReadStretch read;
     ranks.together([&] {
         const SitesFile file = read_sites(name, {.dimension = static_cast<int>(dimension),
-                                                 .input = input_by_ending("npy"),
+                                                 .input = input_by_ending(name.substr(name.size() - 3)),
                                                  .share = {ranks.rank(), ranks.size()}});
         Stretch& stretch = read.stretch;
         stretch.corners = dimension + 1;
