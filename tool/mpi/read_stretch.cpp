@@ -116,9 +116,10 @@ ReadStretch read_faces(Communicator& ranks, const std::string& name, std::size_t
 ReadStretch read_array(Communicator& ranks, const std::string& name, std::size_t dimension) {
     ReadStretch read;
     ranks.together([&] {
-        const SitesFile file = read_sites(name, {.dimension = static_cast<int>(dimension),
-                                                 .input = input_by_ending(name.substr(name.size() - 3)),
-                                                 .share = {ranks.rank(), ranks.size()}});
+        const SitesFile file =
+            read_sites(name, {.dimension = static_cast<int>(dimension),
+                              .input = input_by_ending(name.substr(name.size() - 3)),
+                              .share = {ranks.rank(), ranks.size()}});
         Stretch& stretch = read.stretch;
         stretch.corners = dimension + 1;
         stretch.first_face = static_cast<std::int64_t>(file.first_row);
