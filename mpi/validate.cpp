@@ -326,7 +326,8 @@ class Arrays {
     [[nodiscard]] std::vector<WholeHidden>& hidden() noexcept { return stretch_.hidden; }
     /// How often some of so many are looked at, of each rank as many as fit beside the cells.
     [[nodiscard]] std::uint64_t times_of(std::size_t all) {
-        constexpr std::size_t at_a_time = std::size_t{1} << 22;
+        // Each time passes over all of them, so that it is not to be often.
+        const std::size_t at_a_time = std::max(std::size_t{1} << 22, all / 16);
         return static_cast<std::uint64_t>(
             ranks_.most(static_cast<std::int64_t>(all / at_a_time + 1)));
     }
