@@ -209,6 +209,11 @@ class Ball {
  public:
     explicit Ball(const Corners& face) noexcept : ball_(made_of(face)) {}
 
+    /// Its centre, where kinds have additive weights; NaN where there is none.
+    [[nodiscard]] Point centre() const noexcept {
+        static_assert(!K::is_straight);
+        return {ball_.x, ball_.y};
+    }
     /// By how much the sites in the finite extent are too far away for a conflict, less what
     /// rounding may have made of it: above 0 where none conflicts.
     [[nodiscard]] double excess(const Extent& extent) const noexcept {
@@ -272,6 +277,12 @@ class Ball {
 /// The class tries forms along the axes, and those at a right angle to the edge, where n·i = n·j.
 /// The latter leave a strip around the line through i and j: t is no farther from it than R - r_t,
 /// R the greater radius of the two. A site that is greater than both takes no middle.
+///
+/// The centre of t is also within the quadrilateral of i, j and the vertices at the ends of the
+/// edge. From a vertex straight to i, no distance falls faster than that from i. So t, which leaves
+/// the vertex, takes no point of that side, and of the three other sides neither. They are around
+/// the middle of the edge, and so around the cell of t, in which its centre lies. The class asks
+/// whether the forms of t's centre are between the least and the greatest ones of the corners.
 class Middle {
  public:
     Middle(const Placed& i, const Placed& j) noexcept
@@ -285,6 +296,21 @@ class Middle {
             high_[axis] = std::max(centres[0][axis] + i.site.r, centres[1][axis] + j.site.r);
         }
     }
+    /// Of an edge with the faces that are on its sides, if they are finite.
+    template <class K>
+    [[nodiscard]] static Middle between_faces(const EdgeQuestion& edge) noexcept {
+        const Placed& i = edge[0];
+        const Placed& j = edge[1];
+        const Placed& left = edge[2];
+        const Placed& right = edge[3];
+        Middle middle(i, j);
+        if constexpr (!K::is_straight)
+            if (left.id >= 0 && right.id >= 0)
+                middle.keep_within({Point{i.site.x, i.site.y}, Point{j.site.x, j.site.y},
+                                    Ball<K>({i, j, left, {}}).centre(),
+                                    Ball<K>({j, i, right, {}}).centre()});
+        return middle;
+    }
     [[nodiscard]] bool may_be_taken_from(const Extent& extent) const noexcept {
         const double r = extent.low[weight_place];
         if (r > greater_) return false;
@@ -296,30 +322,63 @@ class Middle {
             if (extent.low[axis] + r > high_[axis] + slack ||
                 extent.high[axis] - r < low_[axis] - slack)
                 return false;
+            if (extent.low[axis] > corners_.high[axis] || extent.high[axis] < corners_.low[axis])
+                return false;
         }
-        // Four roundings of each term, of which products may underflow. No dual norm is more than
-        // the sum of the magnitudes.
+        // No dual norm is more than the sum of the magnitudes.
         const double width = (greater_ - r) * (std::fabs(across_[0]) + std::fabs(across_[1]));
-        double low = 0.0;
-        double high = 0.0;
-        double slack = width;
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            const double one = across_[axis] * (extent.low[axis] - i_[axis]);
-            const double other = across_[axis] * (extent.high[axis] - i_[axis]);
-            low += std::min(one, other);
-            high += std::max(one, other);
-            slack += std::max(std::fabs(one), std::fabs(other));
-        }
-        slack = 0x1p-50 * slack + 0x1p-1000;
-        return !(low > width + slack || high < -width - slack);
+        const auto [low, high, error] = across(extent);
+        const double slack = error + 0x1p-50 * width;
+        return !(low > std::min(width, corners_.high[2]) + slack ||
+                 high < std::max(-width, corners_.low[2]) - slack);
     }
 
  private:
+    struct Across {
+        double low;
+        double high;
+        double error;
+    };
+    /// The form across, less that of i. Four roundings of each term, of which products may
+    /// underflow.
+    [[nodiscard]] Across across(const Extent& extent) const noexcept {
+        Across result{0.0, 0.0, 0.0};
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const double one = across_[axis] * (extent.low[axis] - i_[axis]);
+            const double other = across_[axis] * (extent.high[axis] - i_[axis]);
+            result.low += std::min(one, other);
+            result.high += std::max(one, other);
+            result.error += std::max(std::fabs(one), std::fabs(other));
+        }
+        result.error = 0x1p-50 * result.error + 0x1p-1000;
+        return result;
+    }
+    /// Each number of a vertex is the nearest double; a face without a vertex has NaN.
+    void keep_within(const std::array<Point, 4>& corners) noexcept {
+        Bounds<3> bounds = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+        for (const Point& p : corners) {
+            const Across there = across(Extent::point({p.x, p.y, 0.0, 0.0}));
+            const std::array<double, 3> value = {p.x, p.y, there.low};
+            const std::array<double, 3> error = {
+                0x1p-50 * std::fabs(p.x) + 0x1p-1070, 0x1p-50 * std::fabs(p.y) + 0x1p-1070,
+                there.error +
+                    0x1p-50 * (std::fabs(across_[0] * p.x) + std::fabs(across_[1] * p.y))};
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (!std::isfinite(value[k]) || !std::isfinite(error[k])) return;
+                bounds.low[k] = std::min(bounds.low[k], value[k] - error[k]);
+                bounds.high[k] = std::max(bounds.high[k], value[k] + error[k]);
+            }
+        }
+        corners_ = bounds;
+    }
+
     std::array<double, 2> i_;
     std::array<double, 2> across_;  ///< the form at a right angle to the edge
     double greater_;
     std::array<double, 2> low_;
     std::array<double, 2> high_;
+    /// Of the quadrilateral: along the axes, and across as across() tells.
+    Bounds<3> corners_ = {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}};
 };
 
 }  // namespace signum::distributed

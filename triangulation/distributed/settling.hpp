@@ -192,7 +192,7 @@ class Settling : public Part {
         ++told_.faces;
     }
     void ask_about_edge(const EdgeQuestion& edge, std::vector<Questions>& questions) {
-        const Middle middle(edge[0], edge[1]);
+        const Middle middle = Middle::between_faces<K>(edge);
         for_parts_with([&](const Extent& extent) { return middle.may_be_taken_from(extent); },
                        [&](std::size_t part) { questions[part].edges.push_back(edge); });
         ++told_.edges;

@@ -132,7 +132,7 @@ class Answering {
             const Placed& j = edge[1];
             const Placed& k = edge[2];
             const Placed& l = edge[3];
-            const Middle middle(i, j);
+            const Middle middle = Middle::between_faces<K>(edge);
             const auto meets = [&](const Extent& extent) {
                 return middle.may_be_taken_from(extent);
             };
