@@ -4,12 +4,10 @@
 #include <ctime>
 #include <stdexcept>
 
-#include "../core/insertion_rounds.hpp"
 #include "../triangulation/distributed/common.hpp"
-#include "../triangulation/distributed/cuts.hpp"
-#include "../triangulation/distributed/exchange.hpp"
 #include "../triangulation/distributed/site_store.hpp"
 #include "../triangulation/distributed/whole.hpp"
+#include "by_number.hpp"
 #include "owned_sites.hpp"
 
 namespace signum::mpi {
@@ -74,12 +72,9 @@ Stretch stretch_of(RankTessellation& tessellation, Communicator& ranks) {
     SortedCells<corners> sorted(
         ranks.dealt(cells, [&](const WholeCell<corners>& cell) { return stretches.of(cell[0]); }),
         stretches.begin_of_faces(ranks.rank()), last);
-    const auto count = static_cast<std::int64_t>(sorted.cells().size());
-    const std::vector<std::int64_t> counts = ranks.all_of<std::int64_t>(std::array{count});
-    std::vector<std::int64_t> begins(1, 0);
-    for (const std::int64_t each : counts) begins.push_back(begins.back() + each);
-    stretch.first_face = begins[ranks.rank()];
-    stretch.faces_of_all = begins.back();
+    const ByNumber numbered_cells(ranks, sorted.cells().size());
+    stretch.first_face = numbered_cells.first(ranks.rank());
+    stretch.faces_of_all = numbered_cells.all();
     stretch.hidden = ranks.dealt(
         stretch.hidden, [&](const WholeHidden& hidden) { return stretches.of(hidden.site); });
     std::ranges::sort(stretch.hidden, {}, &WholeHidden::site);
@@ -146,10 +141,8 @@ Stretch stretch_of(RankTessellation& tessellation, Communicator& ranks) {
             across = joined<corners>(halves, first, last);
         });
         halves.clear();
-        across = ranks.dealt(across, [&](const Across& each) {
-            const auto end = std::ranges::upper_bound(begins, each.place / 4);
-            return static_cast<std::size_t>(end - begins.begin()) - 1;
-        });
+        across = ranks.dealt(
+            across, [&](const Across& each) { return numbered_cells.rank_with(each.place / 4); });
         for (const auto& [place, neighbour] : across) tell(place, neighbour);
     }
     // Of edges that are not alone between their sites, who has the neighbour tells its number.

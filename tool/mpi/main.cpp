@@ -177,7 +177,7 @@ void validate(Communicator& ranks, const Call& typed) {
                             has_weights ? "weights (--weights)" : "radii (--radii)"));
         call.metric = name_of(says->kind.metric);
         call.dimension = static_cast<int>(says->kind.dimension);
-        call.last_is_weight = says->kind.weight_is == WeightIs::weight;
+        call.last_is_weight = has_weights;
     }
     const Input input = read(ranks, call);
     const auto& kind = input.kind;
@@ -205,14 +205,6 @@ void validate(Communicator& ranks, const Call& typed) {
     if (!result.valid)
         throw CheckFailure(
             fmt::format("{} is not a valid tessellation of {}", call.tessellation, call.sites));
-}
-
-/// The file of a name, without the path of an array in it.
-std::string file_of(const std::string& name) {
-    for (const std::string_view ending : {".h5:", ".hdf5:", ".hdf:"})
-        if (const std::size_t at = name.find(ending); at != std::string::npos)
-            return name.substr(0, at + ending.size() - 1);
-    return name;
 }
 
 /// How a rank has ended.

@@ -6,7 +6,9 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <span>
 #include <stdexcept>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -45,6 +47,27 @@ void write_faces(Communicator& ranks, const std::string& name, const Whole& whol
 
 // ---- HDF5 --------------------------------------------------------------------------------------
 
+/// An array of which each rank has some rows.
+struct Array {
+    const char* path;
+    hid_t type;
+    std::uint64_t rows;
+    std::uint64_t columns;
+    std::uint64_t first_byte;  ///< of the rank's own rows
+    std::span<const char> own;
+};
+template <class Number>
+[[nodiscard]] Array array_of(const char* path, hid_t type, std::uint64_t rows,
+                             std::uint64_t columns, std::uint64_t first_row,
+                             std::span<const std::type_identity_t<Number>> own) {
+    return {path,
+            type,
+            rows,
+            columns,
+            first_row * columns * sizeof(Number),
+            {reinterpret_cast<const char*>(own.data()), own.size_bytes()}};
+}
+
 /// A file of HDF5 as one rank lays it out: groups, attributes, and arrays with places for their
 /// rows, which ranks write as bytes. Were HDF5 to write by all ranks, those would wait for ever for
 /// one whose disk is full.
@@ -56,25 +79,25 @@ class Layout {
                 H5Fclose) {
         require(file_.is_there());
     }
-    /// Of those that follow.
+    /// Whose attributes follow.
     void begin_group(const char* path) {
         group_.emplace(H5Gcreate2(file_, path, H5P_DEFAULT, untimed(H5P_GROUP_CREATE), H5P_DEFAULT),
                        H5Gclose);
         require(group_->is_there());
     }
     /// Where its first row will be in the file.
-    [[nodiscard]] std::uint64_t put_array(const char* array, hid_t type, std::uint64_t rows,
-                                          std::uint64_t columns) const {
-        const int axes = columns == 1 ? 1 : 2;
-        const std::array<hsize_t, 2> shape = {rows, columns};
-        const Handle space(H5Screate_simple(axes, shape.data(), nullptr), H5Sclose);
+    [[nodiscard]] std::uint64_t put_array(const Array& array) const {
+        const std::array<hsize_t, 2> shape = {array.rows, array.columns};
+        const Handle space(H5Screate_simple(array.columns == 1 ? 1 : 2, shape.data(), nullptr),
+                           H5Sclose);
         const Handle how = untimed(H5P_DATASET_CREATE);
         H5Pset_alloc_time(how, H5D_ALLOC_TIME_EARLY);
         H5Pset_fill_time(how, H5D_FILL_TIME_NEVER);
-        const Handle set(H5Dcreate2(*group_, array, type, space, H5P_DEFAULT, how, H5P_DEFAULT),
-                         H5Dclose);
+        const Handle set(
+            H5Dcreate2(file_, array.path, array.type, space, H5P_DEFAULT, how, H5P_DEFAULT),
+            H5Dclose);
         require(set.is_there());
-        return rows == 0 ? 0 : H5Dget_offset(set);
+        return array.rows == 0 ? 0 : H5Dget_offset(set);
     }
     void put_text(const char* attribute, const std::string& text) const {
         const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
@@ -113,20 +136,6 @@ class Layout {
     std::optional<Handle> group_;
 };
 
-/// The rows of an array that a rank has.
-struct Rows {
-    std::size_t array;  ///< its place among all
-    std::uint64_t first_byte;
-    std::span<const char> bytes;
-};
-template <class Number>
-[[nodiscard]] Rows rows_of(std::size_t array, std::uint64_t first_number,
-                           std::span<const Number> own) {
-    return {array,
-            first_number * sizeof(Number),
-            {reinterpret_cast<const char*>(own.data()), own.size_bytes()}};
-}
-
 /// Faces, neighbours and hidden sites as signum has them, and the finite faces as triangles, cells
 /// as tetrahedra, between the centres as VTK's readers take them.
 void write_hdf5(Communicator& ranks, const std::string& name, const Whole& whole) {
@@ -147,9 +156,6 @@ void write_hdf5(Communicator& ranks, const std::string& name, const Whole& whole
     const bool is_first = ranks.rank() == 0;
     const auto ours = [](std::int64_t number) { return static_cast<std::uint64_t>(number); };
 
-    const std::array<std::int64_t, 3> numbers = {static_cast<std::int64_t>(sites),
-                                                 static_cast<std::int64_t>(all),
-                                                 static_cast<std::int64_t>(size * all)};
     std::vector<double> places;
     std::vector<double> thirds;
     std::vector<std::int64_t> offsets;
@@ -168,52 +174,62 @@ void write_hdf5(Communicator& ranks, const std::string& name, const Whole& whole
         for (const auto& [site, by] : stretch.hidden) hidden.insert(hidden.end(), {site, by});
     });
 
+    // Each number is an array, too.
+    const std::array<std::int64_t, 3> numbers = {static_cast<std::int64_t>(sites),
+                                                 static_cast<std::int64_t>(all),
+                                                 static_cast<std::int64_t>(size * all)};
+    const auto number = [&](const char* path, std::size_t k) {
+        return array_of<std::int64_t>(path, H5T_NATIVE_INT64, 1, 1, 0,
+                                      std::span(numbers).subspan(k, is_first ? 1 : 0));
+    };
+    const auto integers = [](const char* path, std::uint64_t rows, std::uint64_t columns,
+                             std::uint64_t first_row, std::span<const std::int64_t> own) {
+        return array_of<std::int64_t>(path, H5T_NATIVE_INT64, rows, columns, first_row, own);
+    };
+    const auto doubles = [](const char* path, std::uint64_t rows, std::uint64_t columns,
+                            std::uint64_t first_row, std::span<const double> own) {
+        return array_of<double>(path, H5T_NATIVE_DOUBLE, rows, columns, first_row, own);
+    };
+    const std::uint64_t faces = ours(stretch.faces_of_all);
+    const std::uint64_t first_face = ours(stretch.first_face);
+    const std::vector<Array> arrays = {
+        number("/VTKHDF/NumberOfPoints", 0),
+        number("/VTKHDF/NumberOfCells", 1),
+        number("/VTKHDF/NumberOfConnectivityIds", 2),
+        doubles("/VTKHDF/Points", sites, 3, first_site, places),
+        integers("/VTKHDF/Connectivity", size * all, 1, size * ours(first), corners),
+        integers("/VTKHDF/Offsets", all + 1, 1, is_first ? 0 : ours(first) + 1, offsets),
+        array_of<std::uint8_t>("/VTKHDF/Types", H5T_NATIVE_UINT8, all, 1, ours(first), types),
+        doubles(whole.weight_is == WeightIs::weight ? "/VTKHDF/PointData/weight"
+                                                    : "/VTKHDF/PointData/radius",
+                sites, 1, first_site, thirds),
+        integers(size == 4 ? "/signum/cells" : "/signum/faces", faces, size, first_face,
+                 stretch.faces),
+        integers("/signum/neighbours", faces, size, first_face, stretch.neighbours),
+        integers("/signum/hidden", ours(stretch.hidden_of_all), 2, ours(stretch.first_hidden),
+                 hidden)};
+
     std::vector<std::uint64_t> begins;
     ranks.together([&] {
         if (!is_first) return;
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
         Layout layout(name);
-        const auto put = [&](const char* array, hid_t type, std::uint64_t rows,
-                             std::uint64_t columns) {
-            begins.push_back(layout.put_array(array, type, rows, columns));
-        };
         layout.begin_group("/VTKHDF");
         layout.put_version(1, 0);
         layout.put_text("Type", "UnstructuredGrid");
-        for (const char* const array :
-             {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
-            put(array, H5T_NATIVE_INT64, 1, 1);
-        put("Points", H5T_NATIVE_DOUBLE, sites, 3);
-        put("Connectivity", H5T_NATIVE_INT64, size * all, 1);
-        put("Offsets", H5T_NATIVE_INT64, all + 1, 1);
-        put("Types", H5T_NATIVE_UINT8, all, 1);
         layout.begin_group("/VTKHDF/PointData");
-        put(whole.weight_is == WeightIs::weight ? "weight" : "radius", H5T_NATIVE_DOUBLE, sites, 1);
         layout.begin_group("/signum");
         layout.put_text("metric", std::string(name_of(whole.metric)));
-        put(size == 4 ? "cells" : "faces", H5T_NATIVE_INT64, ours(stretch.faces_of_all), size);
-        put("neighbours", H5T_NATIVE_INT64, ours(stretch.faces_of_all), size);
-        put("hidden", H5T_NATIVE_INT64, ours(stretch.hidden_of_all), 2);
+        for (const Array& array : arrays) begins.push_back(layout.put_array(array));
         layout.flush();
     });
     begins = ranks.all_of<std::uint64_t>(begins);
 
-    const auto first_cell = ours(stretch.first_face) * size;
     SharedFile file(ranks, name, SharedFile::Opened::as_it_is);
     ranks.together([&] {
-        std::vector<Rows> rows = {
-            rows_of<double>(3, 3 * first_site, places),
-            rows_of<std::int64_t>(4, size * ours(first), corners),
-            rows_of<std::int64_t>(5, is_first ? 0 : ours(first) + 1, offsets),
-            rows_of<std::uint8_t>(6, ours(first), types),
-            rows_of<double>(7, first_site, thirds),
-            rows_of<std::int64_t>(8, first_cell, stretch.faces),
-            rows_of<std::int64_t>(9, first_cell, stretch.neighbours),
-            rows_of<std::int64_t>(10, 2 * ours(stretch.first_hidden), hidden)};
-        for (std::size_t k = 0; k < numbers.size() && is_first; ++k)
-            rows.push_back(rows_of<std::int64_t>(k, 0, std::span(numbers).subspan(k, 1)));
-        for (const auto& [array, first_byte, bytes] : rows)
-            file.write(begins[array] + first_byte, bytes.data(), bytes.size());
+        for (std::size_t k = 0; k < arrays.size(); ++k)
+            file.write(begins[k] + arrays[k].first_byte, arrays[k].own.data(),
+                       arrays[k].own.size());
         file.finish();
     });
 }

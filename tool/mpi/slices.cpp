@@ -99,14 +99,18 @@ Slices read_hdf5(Communicator& ranks, const std::string& file, const std::string
 
 }  // namespace
 
+std::string file_of(const std::string& name) {
+    for (const std::string_view ending : {".h5:", ".hdf5:", ".hdf:"})
+        if (const std::size_t at = name.find(ending); at != std::string::npos)
+            return name.substr(0, at + ending.size() - 1);
+    return name;
+}
+
 Slices read_slices(Communicator& ranks, const std::string& name, int dimension,
                    const std::string& radii) {
-    for (const std::string_view ending : {".h5:", ".hdf5:", ".hdf:"})
-        if (const std::size_t at = name.find(ending); at != std::string::npos) {
-            const std::size_t end = at + ending.size() - 1;
-            return read_hdf5(ranks, name.substr(0, end), name.substr(end + 1),
-                             static_cast<std::uint64_t>(dimension), radii);
-        }
+    if (const std::string file = file_of(name); file != name)
+        return read_hdf5(ranks, file, name.substr(file.size() + 1),
+                         static_cast<std::uint64_t>(dimension), radii);
     if (!radii.empty())
         throw InputError(name,
                          "--radii and --weights name arrays of a file of HDF5: give "

@@ -16,6 +16,9 @@ struct Slices {
     bool has_radii = false;  ///< or weights
 };
 
+/// Of FILE.h5:/path/to/array the file; any other name is one.
+[[nodiscard]] std::string file_of(const std::string& name);
+
 /// `name`: a file of text (x y, or x y r, a line; of space x y z, or x y z r), .npy, .f64, or
 /// FILE.h5:/path/to/coordinates, of as many columns; `radii`: where in the latter file there are
 /// radii or weights, or empty.
