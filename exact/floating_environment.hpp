@@ -73,8 +73,8 @@ template <class Function, class... Operands>
 [[nodiscard]] inline auto in_ieee_environment(Function function,
                                               const Operands&... operands) noexcept {
     const IeeeEnvironment environment;
-    const auto opaque = []<class T>(const T& value) -> const T& {
-        const T* address = &value;
+    const auto opaque = [](const auto& value) -> const auto& {
+        const auto* address = &value;
         asm volatile("" : "+r"(address) : : "memory");
         return *address;
     };

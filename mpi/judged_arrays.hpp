@@ -17,8 +17,8 @@
 
 #include "../core/insertion_rounds.hpp"
 #include "../exact/floating_environment.hpp"
-#include "../triangulation/structure/judgement.hpp"
 #include "../triangulation/distributed/whole.hpp"
+#include "../triangulation/structure/judgement.hpp"
 #include "by_number.hpp"
 #include "communicator.hpp"
 #include "triangulate.hpp"
@@ -200,8 +200,8 @@ class Arrays {
             std::int64_t cell;
         };
         const auto in_order = [](const At& each) { return std::pair(each.site, each.is_infinite); };
-        cell_at_.assign(
-            static_cast<std::size_t>(sites_.first(ranks_.rank() + 1) - first_site()), -1);
+        cell_at_.assign(static_cast<std::size_t>(sites_.first(ranks_.rank() + 1) - first_site()),
+                        -1);
         const std::uint64_t times = times_of(stretch_.faces.size());
         for (std::uint64_t time = 0; time < times; ++time) {
             std::vector<At> all;
@@ -248,8 +248,7 @@ class Arrays {
         const std::int64_t all = ranks_.sum(visible);
         if (corners == 3 && cells() != 2 * all - 2)
             throw Invalid{std::to_string(all) + " visible sites have " +
-                          std::to_string(2 * all - 2) + " faces, not " +
-                          std::to_string(cells())};
+                          std::to_string(2 * all - 2) + " faces, not " + std::to_string(cells())};
     }
     /// A cell at each of some sites, of whichever rank. Throws Invalid for one that is no vertex.
     [[nodiscard]] std::vector<std::int64_t> cells_at(std::span<const WholeHidden> hidden) {

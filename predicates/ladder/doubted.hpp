@@ -5,7 +5,6 @@
 #include "../../exact/sum.hpp"
 #include "../../filters/bounded.hpp"
 #include "../../filters/interval.hpp"
-#include "../../filters/wide.hpp"
 
 namespace signum::euclidean {
 
@@ -44,10 +43,8 @@ class Doubted : public exact::ComparedBySign<Doubted<Number>> {
         else
             return Number(number);
     }
-    [[nodiscard]] static filters::Verdict sign_of_number(const filters::Wide& number) noexcept {
-        return number.sign();
-    }
-    [[nodiscard]] static filters::Verdict sign_of_number(const filters::Bounded& number) noexcept {
+    template <class Any>
+    [[nodiscard]] static filters::Verdict sign_of_number(const Any& number) noexcept {
         return number.sign();
     }
     [[nodiscard]] static filters::Verdict sign_of_number(const filters::Interval& number) noexcept {

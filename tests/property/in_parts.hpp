@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <ctime>
 #include <memory>
 #include <span>
 #include <utility>
@@ -12,12 +13,36 @@
 #include "../../triangulation/distributed/common.hpp"
 #include "../../triangulation/distributed/cuts.hpp"
 #include "../../triangulation/distributed/part.hpp"
-#include "../../triangulation/distributed/shared_exchange.hpp"
+#include "../../triangulation/distributed/exchange.hpp"
 #include "../../triangulation/distributed/site_store.hpp"
 #include "../../triangulation/distributed/whole.hpp"
 #include "../../triangulation/space/triangulate.hpp"
 
 namespace signum::distributed {
+
+/// A part's questions, and the processor time that the answers of each part take, in all.
+class ChargedExchange final : public Exchange {
+ public:
+    ChargedExchange(std::span<const SiteStore> stores, std::span<double> seconds)
+        : stores_(stores), seconds_(seconds) {}
+    [[nodiscard]] std::vector<Answers> ask(std::vector<Questions> questions) override {
+        std::vector<Answers> answers(questions.size());
+        for (std::size_t q = 0; q < questions.size(); ++q) {
+            const std::clock_t start = std::clock();
+            if (!questions[q].are_none()) answers[q] = stores_[q].answer(questions[q]);
+            seconds_[q] += seconds_since(start);
+        }
+        return answers;
+    }
+    [[nodiscard]] bool is_for_any(bool own) override { return own; }
+    static double seconds_since(std::clock_t start) {
+        return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    }
+
+ private:
+    std::span<const SiteStore> stores_;
+    std::span<double> seconds_;
+};
 
 /// What the whole is put together from (Part), in no order, each face or cell once.
 struct WholeParts {
@@ -26,6 +51,7 @@ struct WholeParts {
     std::vector<Adjacency> adjacencies;
     std::vector<WholeHidden> hidden;
     Part::Told told;
+    std::vector<double> seconds;  ///< of each part, its answers to others included
 };
 
 /// In so many parts. Throws NoStructure, as triangulate() would have none that parts share.
@@ -37,12 +63,16 @@ inline WholeParts settle_in_parts(std::span<const Placed> sites, const Kind& kin
     std::vector<std::vector<Placed>> own(parts);
     for (const Placed& each : sites) own[cuts.part_of(place_of(each))].push_back(each);
 
+    WholeParts whole;
+    whole.seconds.assign(parts, 0.0);
     std::vector<SiteStore> stores;
     Extent extent = no_extent();
-    for (auto& of_part : own) {
-        order_along_curve(of_part, kind);
-        stores.emplace_back(of_part, kind);
+    for (std::size_t number = 0; number < parts; ++number) {
+        const std::clock_t start = std::clock();
+        order_along_curve(own[number], kind);
+        stores.emplace_back(own[number], kind);
         extent.include(stores.back().extent());
+        whole.seconds[number] += ChargedExchange::seconds_since(start);
     }
     Farthest farthest(kind, extent);
     for (const auto& of_part : own) farthest.include(of_part);
@@ -56,15 +86,21 @@ inline WholeParts settle_in_parts(std::span<const Placed> sites, const Kind& kin
     std::vector<PartBounds> bounds;
     for (const SiteStore& store : stores)
         bounds.push_back({store.extent_but(common), store.spacing()});
-    WholeParts whole;
     for (std::size_t number = 0; number < parts; ++number) {
         std::vector<Placed> others;
         std::ranges::copy_if(common, std::back_inserter(others), [&](const Placed& each) {
             return cuts.part_of(place_of(each)) != number;
         });
-        SharedExchange exchange(stores);
+        std::vector<double> answering(parts);
+        ChargedExchange exchange(stores, answering);
         const std::unique_ptr<Part> part = make_part(kind);
+        const std::clock_t start = std::clock();
         part->settle(stores[number], others, bounds, number, exchange, {});
+        whole.seconds[number] += ChargedExchange::seconds_since(start);
+        for (std::size_t other = 0; other < parts; ++other) {
+            whole.seconds[other] += answering[other];
+            whole.seconds[number] -= answering[other];
+        }
         part->each_face([&](std::span<const std::int64_t> of_face) {
             if (kind.dimension == 3)
                 std::ranges::copy(of_face, whole.cells.emplace_back().begin());

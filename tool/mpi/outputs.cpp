@@ -5,8 +5,8 @@
 #include <cerrno>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <span>
+#include <sstream>
 #include <stdexcept>
 #include <type_traits>
 
