@@ -157,7 +157,7 @@ def section(path, includes):
 
 
 def made_source(version):
-    includes = {"<immintrin.h>", "<cfenv>"}
+    includes = {"<immintrin.h>", "<cfenv>", "<initializer_list>"}
     sections = [section(path, includes) for path in SOURCES]
     # Those that floating_environment.hpp asks for under a condition stand in parts/words.hpp.
     conditional = {"<immintrin.h>", "<cfenv>"}

@@ -2,11 +2,18 @@
 
 namespace {
 
-template <std::size_t n>
-bool are_there(const double* numbers) noexcept {
-    if (numbers == nullptr) return false;
+struct Given {
+    const double* numbers;
+    std::size_t size;
+};
+/// Whether none is null or has a number that is not finite.
+[[gnu::noinline]] bool are_there(std::initializer_list<Given> all) noexcept {
     bool finite = true;
-    for (std::size_t k = 0; k < n; ++k) finite &= numbers[k] - numbers[k] == 0.0;
+    for (const Given& each : all) {
+        if (each.numbers == nullptr) return false;
+        for (std::size_t k = 0; k < each.size; ++k)
+            finite &= each.numbers[k] - each.numbers[k] == 0.0;
+    }
     return finite;
 }
 template <class S>
@@ -45,16 +52,27 @@ struct Of<rooms::power::Site3> {
 /// What a predicate of sites of the kinds S answers, or no sign where one cannot ask it.
 template <class... S, class Predicate, class... Numbers>
 int answer(const Predicate& predicate, const Numbers*... numbers) noexcept {
-    if (!(are_there<Of<S>::size>(numbers) && ...)) return SIGNUM_NO_SIGN;
+    if (!are_there({{numbers, Of<S>::size}...})) return SIGNUM_NO_SIGN;
     return static_cast<int>(predicate(Of<S>::from(numbers)...));
 }
 
+/// The same behind a filter, which numbers that are not finite leave uncertain.
+template <class... S, class Predicate, class... Numbers>
+[[gnu::cold, gnu::noinline]] int answer_behind(const Predicate& predicate,
+                                               const Numbers*... numbers) noexcept {
+    return answer<S...>(predicate, numbers...);
+}
+template <class... S, class Filter, class Predicate, class... Numbers>
+[[gnu::always_inline]] inline int answer_filtered(const Filter& filter,
+                                                  const Predicate& predicate,
+                                                  const Numbers*... numbers) noexcept {
+    if (!((numbers != nullptr) && ...)) return SIGNUM_NO_SIGN;
+    const rooms::filters::Verdict verdict = filter(Of<S>::from(numbers)...);
+    if (verdict.is_certain()) return verdict.sign();
+    return answer_behind<S...>(predicate, numbers...);
+}
+
 // The functions of a metric, by their names.
-struct PowerMetric {
-    static bool exists(const rooms::Site& i, const rooms::Site& j, const rooms::Site& k) noexcept {
-        return rooms::power::exists(i, j, k);
-    }
-};
 #define SIGNUM_IN_METRIC(metric, call)            \
     switch (metric) {                             \
         case SIGNUM_POWER: {                      \
@@ -77,6 +95,8 @@ struct PowerMetric {
             return SIGNUM_NO_SIGN;                \
     }
 
+using rooms::predicates::Ccw;
+using rooms::predicates::Ccw3;
 using P = rooms::Point;
 using S = rooms::Site;
 using W = rooms::power::Site;
@@ -96,7 +116,12 @@ std::array<rooms::Index, n> ranks_from(const int32_t* ranks) noexcept {
 extern "C" {
 
 int signum_ccw(const double* a, const double* b, const double* c) {
-    return answer<P, P, P>([](P x, P y, P z) { return rooms::ccw(x, y, z); }, a, b, c);
+    return answer_filtered<P, P, P>(
+        [](const P& x, const P& y, const P& z) { return rooms::predicates::ccw_filter(x, y, z); },
+        [](const P& x, const P& y, const P& z) {
+            return Ccw::behind<rooms::Arithmetic::exact>(x, y, z).sign;
+        },
+        a, b, c);
 }
 int signum_exists(signum_metric metric, const double* i, const double* j, const double* k) {
     SIGNUM_IN_METRIC(metric, (answer<S, S, S>(
@@ -109,10 +134,24 @@ int signum_in_circle(signum_metric metric, const double* i, const double* j, con
         j, k, q)))
 }
 int signum_in_circle_points(const double* i, const double* j, const double* k, const double* q) {
-    return answer<P, P, P, P>(rooms::power::in_circle<P>, i, j, k, q);
+    return answer_filtered<P, P, P, P>(
+        [](const P& x, const P& y, const P& z, const P& t) {
+            return rooms::power::in_circle_filter(x, y, z, t);
+        },
+        [](const P& x, const P& y, const P& z, const P& t) {
+            return rooms::power::InCircle::behind<rooms::Arithmetic::exact>(x, y, z, t).sign;
+        },
+        i, j, k, q);
 }
 int signum_in_circle_weights(const double* i, const double* j, const double* k, const double* q) {
-    return answer<W, W, W, W>(rooms::power::in_circle<W>, i, j, k, q);
+    return answer_filtered<W, W, W, W>(
+        [](const W& x, const W& y, const W& z, const W& t) {
+            return rooms::power::in_circle_filter(x, y, z, t);
+        },
+        [](const W& x, const W& y, const W& z, const W& t) {
+            return rooms::power::InCircle::behind<rooms::Arithmetic::exact>(x, y, z, t).sign;
+        },
+        i, j, k, q);
 }
 int signum_in_circle_infinite(signum_metric metric, const double* a, const double* b,
                               const double* q) {
@@ -160,17 +199,36 @@ int signum_nearer_weights(const double* p, const double* a, const double* b) {
 }
 
 int signum_ccw_space(const double* a, const double* b, const double* c, const double* d) {
-    return answer<P3, P3, P3, P3>(
-        [](const P3& x, const P3& y, const P3& z, const P3& t) { return rooms::ccw(x, y, z, t); },
+    return answer_filtered<P3, P3, P3, P3>(
+        [](const P3& x, const P3& y, const P3& z, const P3& t) {
+            return rooms::predicates::ccw_filter(x, y, z, t);
+        },
+        [](const P3& x, const P3& y, const P3& z, const P3& t) {
+            return Ccw3::behind<rooms::Arithmetic::exact>(x, y, z, t).sign;
+        },
         a, b, c, d);
 }
 int signum_in_sphere_points(const double* i, const double* j, const double* k, const double* l,
                             const double* q) {
-    return answer<P3, P3, P3, P3, P3>(rooms::power::in_sphere<P3>, i, j, k, l, q);
+    return answer_filtered<P3, P3, P3, P3, P3>(
+        [](const P3& x, const P3& y, const P3& z, const P3& t, const P3& u) {
+            return rooms::power::in_sphere_filter(x, y, z, t, u);
+        },
+        [](const P3& x, const P3& y, const P3& z, const P3& t, const P3& u) {
+            return rooms::power::InSphere::behind<rooms::Arithmetic::exact>(x, y, z, t, u).sign;
+        },
+        i, j, k, l, q);
 }
 int signum_in_sphere_weights(const double* i, const double* j, const double* k, const double* l,
                              const double* q) {
-    return answer<W3, W3, W3, W3, W3>(rooms::power::in_sphere<W3>, i, j, k, l, q);
+    return answer_filtered<W3, W3, W3, W3, W3>(
+        [](const W3& x, const W3& y, const W3& z, const W3& t, const W3& u) {
+            return rooms::power::in_sphere_filter(x, y, z, t, u);
+        },
+        [](const W3& x, const W3& y, const W3& z, const W3& t, const W3& u) {
+            return rooms::power::InSphere::behind<rooms::Arithmetic::exact>(x, y, z, t, u).sign;
+        },
+        i, j, k, l, q);
 }
 int signum_nearer_space(const double* p, const double* a, const double* b) {
     return answer<P3, S3, S3>(

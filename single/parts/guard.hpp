@@ -1,3 +1,6 @@
+#if __cplusplus < 201703L
+#error "signum needs C++17: compile with -std=c++17"
+#endif
 #if !defined(__GNUC__)
 #error "signum needs GCC or Clang (on Windows MinGW or clang), for it tells their optimizers what must not move"
 #endif

@@ -1,0 +1,11 @@
+/* The two files from C99: compiled apart, linked with a C compiler. */
+#include <signum_predicates.hpp>
+#include <stdio.h>
+
+int main(void) {
+    const double a[] = {0.1, 0.1}, b[] = {0.3, 0.3}, c[] = {0.7, 0.7}, d[] = {0.2, 0.3};
+    const double i[] = {0, 0, 1}, j[] = {4, 0, 1}, k[] = {2, 5, 1};
+    printf("%d %d %d %d\n", signum_ccw(a, b, c), signum_ccw(a, b, d),
+           signum_exists(SIGNUM_EUCLIDEAN, i, j, k), signum_ccw(a, b, NULL));
+    return 0;
+}
