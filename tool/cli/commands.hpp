@@ -46,6 +46,7 @@ void add_generate(CLI::App& tool);
 void add_validate(CLI::App& tool);
 void add_study(CLI::App& tool);
 void add_simulate(CLI::App& tool);
+void add_torture(CLI::App& tool);
 
 /// What is wrong with a call that could not be parsed, in words of our own: what would be right,
 /// and where help is. `first_word` is the word after the tool's name.

@@ -128,6 +128,7 @@ int run(int count, char** words) {
     add_validate(tool);
     add_study(tool);
     add_simulate(tool);
+    add_torture(tool);
     refuse_values_of_flags(tool);
     expect_given_numbers(tool, count, words);
     try {

@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# signum torture: it finds planted faults, and none where there is none.
+#
+# usage: torture.sh SIGNUM SECONDS FAULT...
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+single=$(cd "$here/../../../single" && pwd)
+signum=$1
+seconds=$2
+shift 2
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+fail() {
+  echo "$*" >&2
+  exit 1
+}
+# The exit code of a trial, whose report is report.json and whose page is report.html.
+trial() {
+  code=0
+  "$signum" torture "$@" --quiet -o report.json -o report.html 2> messages || code=$?
+}
+says() {
+  python3 -c "import json, sys; r = json.load(open('report.json')); sys.exit(not ($1))" \
+    || fail "$1 does not hold: $(cat report.json)"
+}
+
+g++ -std=c++17 -O2 -fPIC -c "$single/signum_predicates.cpp" -o predicates.o
+plugin() {
+  g++ -std=c++17 -O2 -fPIC -shared -DFAULT="$1" -I "$single" "$here/faulty.cpp" predicates.o -o "fault$1.so"
+}
+
+plugin -1
+trial ./fault-1.so --seconds "$seconds"
+[ $code = 0 ] || fail "without a fault: exit $code, $(cat report.json messages)"
+says "r['faultless'] and all(f['asked'] > 1000 for f in r['functions'].values())"
+cp report.html faultless.html
+
+names=(orient2d incircle orient3d insphere)
+for fault in "$@"; do
+  plugin "$fault"
+  trial "fault$fault.so" --seconds "$seconds"
+  [ $code = 1 ] || fail "fault $fault is not found: exit $code"
+  # Of that function alone, with an example that the library itself answers otherwise.
+  says "all((f['wrong'] > 0) == (name == '${names[fault / 8]}') for name, f in r['functions'].items())"
+  grep -q 'The simplest of the wrong answers' report.html || fail "no example on the page"
+done
+
+# What it cannot be blamed for: crashes, endless loops, changed rounding modes, the rest goes on.
+gcc -O1 -fPIC -shared "$here/broken.c" -o broken.so -lm
+trial broken.so --seconds 8
+[ $code = 1 ] || fail "broken: exit $code"
+says "r['functions']['incircle']['found'] is False"
+says "any(c['signal'] != 0 for c in r['functions']['orient2d']['lost'])"
+says "any(c['signal'] == 0 for c in r['functions']['orient3d']['lost'])"
+says "r['functions']['orient2d']['wrong'] > 0"
+
+# Other names, other signs, other languages.
+printf 'extern "C" double turn(const double* a, const double* b, const double* c);\n
+extern "C" int in(const double*, const double*, const double*, const double*);\n
+#include <signum_predicates.hpp>\n
+double turn(const double* a, const double* b, const double* c) { return -signum::ccw(a, b, c); }\n
+int in(const double* a, const double* b, const double* c, const double* d) {\n
+  const int sign = signum::in_circle(a, b, c, d); return sign == signum::no_sign ? 0 : sign; }\n' > other.cpp
+g++ -std=c++17 -O2 -fPIC -shared -I "$single" other.cpp predicates.o -o other.so
+trial other.so --orient2d turn --seconds 1
+[ $code = 0 ] || fail "other: exit $code, $(cat report.json)"
+says "r['functions']['orient2d']['convention'] == 'Shewchuk\\'s with the opposite sign'"
+trial other.so --incircle in --returns int --seconds 1
+[ $code = 0 ] || fail "other: exit $code, $(cat report.json)"
+says "r['functions']['incircle']['convention'].startswith('positive inside')"
+if command -v gfortran > /dev/null; then
+  gfortran -O2 -fPIC -shared "$here/naive.f90" -o naive.so
+  trial naive.so --orient2d turn --returns int --seconds 2
+  [ $code = 1 ] || fail "naive Fortran: exit $code"
+  says "r['functions']['orient2d']['families']['neighbourhood']['wrong'] > 0"
+fi
+
+# A wrong call says what would be right.
+refuse() {
+  trial "${@:2}"
+  [ $code = 2 ] || fail "${*:2}: exit $code"
+  grep -q "$1" messages || fail "${*:2}: $(cat messages)"
+}
+refuse 'is no shared library' other.cpp
+refuse 'none of the C functions' other.so
+refuse 'has no function' other.so --orient2d nothing

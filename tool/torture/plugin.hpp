@@ -1,0 +1,31 @@
+#pragma once
+/// Somebody's predicates in a shared library, under Shewchuk's names or others.
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "questions.hpp"
+
+namespace signum::torture {
+
+/// Loads the library; a function that it does not have is not asked.
+class Plugin {
+ public:
+    /// `names`: of the four functions, empty for Shewchuk's own. `returns_int`: they return int and
+    /// not double. Throws MachineError where the library does not load, CallError's base where a
+    /// name that was given is not in it, or none of the four is.
+    Plugin(const std::string& path, const std::array<std::string, functions>& names,
+           bool returns_int);
+
+    [[nodiscard]] bool has(Asked asked) const noexcept { return calls_[place_of(asked)] != nullptr; }
+    /// May do whatever the plugin does: crash, or never return.
+    [[nodiscard]] double ask(const Question& question) const;
+
+ private:
+    std::shared_ptr<void> library_;
+    std::array<void*, functions> calls_ = {};
+    bool returns_int_;
+};
+
+}  // namespace signum::torture
