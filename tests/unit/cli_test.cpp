@@ -85,7 +85,7 @@ TEST_F(Tool, RefusesWrongCalls) {
            "signum: voronoi has no option '--vertices'; triangulate has it; see signum voronoi "
            "--help\n");
     expect({"validate", "--json", sites, sites}, 2,
-           "signum: validate has no option '--json'; compare and sign have it; see signum validate "
+           "signum: validate has no option '--json'; compare, sign and torture have it; see signum validate "
            "--help\n");
     expect(triangulate({"--metric"}), 2,
            "signum: --metric needs a word after it: --metric NAME" + help);
@@ -139,11 +139,12 @@ TEST_F(Tool, TakesNoOptionAfterTheEndOfOptions) {
            "signum: -n is missing; the least is signum generate DISTRIBUTION -n N; see signum "
            "generate --help\n");
     for (const Words& words :
-         {Words{"sign", "incircle", "0", "0"}, Words{"sign", "incircle", "--", "0", "-1"}}) {
+         {Words{"sign", "in_cirle", "0", "0"}, Words{"sign", "in_cirle", "--", "0", "-1"}}) {
         expect(
             words, 2,
-            "signum: PREDICATE: 'incircle' is unknown; did you mean in_circle? it is one of ccw, "
-            "in_circle, in_sphere; see signum sign --help (numbers stand after --)\n");
+            "signum: PREDICATE: 'in_cirle' is unknown; did you mean in_circle? it is one of ccw, "
+            "in_circle, in_sphere, orient2d, incircle, orient3d, insphere, -; see signum sign "
+            "--help (numbers stand after --)\n");
     }
 }
 
@@ -1020,6 +1021,41 @@ TEST_F(Tool, TakesEuclideanWhereNoMetricIsGiven) {
         EXPECT_EQ(outcome.out, expected.out);
         EXPECT_EQ(outcome.err, expected.err);
     }
+}
+
+TEST_F(Tool, AnswersAQuestionALine) {
+    const std::string questions = scratch.file("questions.txt",
+                                                "# of points\n"
+                                                "orient2d 0 0 1 0 0 1\n"
+                                                "\n"
+                                                "incircle 0 0 0 1 1 0 0.5 0.5\n"
+                                                "orient3d 0 0 0 1 0 0 0 1 0 0 0 1\n"
+                                                "insphere 1 0 0 0 0 0 0 1 0 0 0 1 1 1 1\n"
+                                                "in_circle 0 0 1 1 0 1 0 1 1 1 1 1\n"
+                                                "ccw 0 0 1\n");
+    Circumstances from_questions;
+    from_questions.in = questions;
+    const Outcome mixed = run({"sign", "-", "--metric", "power"}, from_questions);
+    EXPECT_EQ(mixed.out, "1 filter\n-1 filter\n-1 filter\n0 exact\n0 exact\n");
+    EXPECT_EQ(mixed.err,
+              "standard input:8:1: sign ccw needs 6 numbers, x y of each of three points; 3 are "
+              "given\n");
+    EXPECT_EQ(mixed.code, 2);
+
+    from_questions.in = scratch.file("lines.txt", "0 0 1 1 2 2\n0 0 1 1 3 2\n");
+    const Outcome alike = run({"sign", "ccw", "-", "--json", "--explain"}, from_questions);
+    EXPECT_EQ(alike.out,
+              "{\"sign\": 0, \"stage\": \"exact\"}\n{\"sign\": -1, \"stage\": \"filter\"}\n");
+    EXPECT_EQ(alike.err.substr(0, alike.err.find('\n')),
+              "line 1: tie      the points lie on a line; ccw has no tie rule");
+
+    from_questions.in = scratch.file("wrong.txt", "turn 0 0 1 1 2 2\n");
+    EXPECT_EQ(run({"sign", "-"}, from_questions).err,
+              "standard input:1:1: 'turn' is no predicate; they are ccw, in_circle, in_sphere, "
+              "orient2d, incircle, orient3d, insphere\n");
+    expect({"sign", "insphere", "--", "0"}, 2,
+           "signum: sign insphere needs 15 numbers after --, x y z of each of 5 points; 1 is "
+           "given\n");
 }
 
 }  // namespace

@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +21,7 @@
 #include "../../predicates/space/ties.hpp"
 #include "../../triangulation/kernels/predicates_of.hpp"
 #include "../../voronoi/balls/touching_rectangular.hpp"
+#include "../io/errors.hpp"
 #include "../io/number.hpp"
 
 #include "commands.hpp"
@@ -35,7 +38,9 @@ struct SignCall {
     std::optional<int> dimension;
     std::optional<int> sphere;  ///< which of several, from 0
     bool json = false;
+    bool explain = false;
     std::vector<std::string> numbers;
+    std::string_view place = " after --";  ///< of the numbers
 };
 
 /// What the tie rule makes of a sign that is 0.
@@ -55,8 +60,8 @@ struct Answer {
 /// they mean.
 std::vector<double> numbers_of(const SignCall& call, std::size_t needed, std::string_view meaning) {
     if (call.numbers.size() != needed) {
-        throw CallError(fmt::format("sign {} needs {} numbers after --, {}; {} {} given",
-                                    call.predicate, needed, meaning, call.numbers.size(),
+        throw CallError(fmt::format("sign {} needs {} numbers{}, {}; {} {} given",
+                                    call.predicate, needed, call.place, meaning, call.numbers.size(),
                                     call.numbers.size() == 1 ? "is" : "are"));
     }
     std::vector<double> values;
@@ -397,6 +402,60 @@ Answer decide_in_sphere(const SignCall& call, M metric) {
     }
 }
 
+// ---- Shewchuk's names --------------------------------------------------------------------------
+
+/// One of his functions, whose points are given one after the other.
+struct Classic {
+    std::string_view name;
+    std::size_t dimension;
+    std::size_t points;
+    Decision (*decide)(const double* numbers) noexcept;
+};
+template <std::size_t d>
+auto point_at(const double* numbers, std::size_t m) noexcept {
+    const double* const p = numbers + d * m;
+    if constexpr (d == 2)
+        return Point{p[0], p[1]};
+    else
+        return Point3{p[0], p[1], p[2]};
+}
+/// In space his signs are the opposite ones.
+Decision opposite(Decision decision) noexcept {
+    decision.sign = -decision.sign;
+    return decision;
+}
+constexpr std::array<Classic, 4> classics = {
+    {{"orient2d", 2, 3,
+      [](const double* n) noexcept {
+          return ccw_decision(point_at<2>(n, 0), point_at<2>(n, 1), point_at<2>(n, 2));
+      }},
+     {"incircle", 2, 4,
+      [](const double* n) noexcept {
+          return predicates::decide<Arithmetic::exact, power::InCircle>(
+              point_at<2>(n, 0), point_at<2>(n, 1), point_at<2>(n, 2), point_at<2>(n, 3));
+      }},
+     {"orient3d", 3, 4,
+      [](const double* n) noexcept {
+          return opposite(ccw_decision(point_at<3>(n, 0), point_at<3>(n, 1), point_at<3>(n, 2),
+                                       point_at<3>(n, 3)));
+      }},
+     {"insphere", 3, 5, [](const double* n) noexcept {
+          return opposite(predicates::decide<Arithmetic::exact, power::InSphere>(
+              point_at<3>(n, 0), point_at<3>(n, 1), point_at<3>(n, 2), point_at<3>(n, 3),
+              point_at<3>(n, 4)));
+      }}}};
+
+Answer decide_classic(const SignCall& call, const Classic& classic) {
+    const std::vector<double> numbers =
+        numbers_of(call, classic.dimension * classic.points,
+                   fmt::format("{} of each of {} points", classic.dimension == 2 ? "x y" : "x y z",
+                               classic.points));
+    Answer answer;
+    answer.decision = classic.decide(numbers.data());
+    explain_stage(answer);
+    return answer;
+}
+
 // ---- the call ----------------------------------------------------------------------------------
 
 /// Whether the call is one of space: in_sphere, and ccw with --dimension 3 or twelve numbers.
@@ -419,6 +478,8 @@ Answer decide(const SignCall& call) {
     if (call.sphere && call.predicate != "in_sphere")
         throw CallError(fmt::format("--sphere is of in_sphere alone, and this is {}; leave it out",
                                     call.predicate));
+    const auto* const classic = std::ranges::find(classics, call.predicate, &Classic::name);
+    if (classic != classics.end()) return decide_classic(call, *classic);
     const bool in_space = is_in_space(call);
     // ccw is the same in every metric.
     if (call.predicate == "ccw") return decide_ccw(call, in_space);
@@ -435,18 +496,72 @@ Answer decide(const SignCall& call) {
     });
 }
 
-/// The sign and the stage to standard output, words about them to standard error.
-void print_answer(const Answer& answer, bool json) {
+/// The sign and the stage, a line.
+std::string line_of(const Answer& answer, bool json) {
     const auto& [decision, tie, words] = answer;
-    if (json) {
-        return print(fmt::format(
-            "{{\"sign\": {}, \"stage\": \"{}\"{}}}\n", decision.sign, name_of(decision.stage),
-            tie ? fmt::format(", \"tie\": {{\"last\": \"{}\", \"conflict\": {}}}", tie->last,
-                              tie->conflict)
-                : ""));
+    if (!json) return fmt::format("{} {}\n", decision.sign, name_of(decision.stage));
+    return fmt::format("{{\"sign\": {}, \"stage\": \"{}\"{}}}\n", decision.sign,
+                       name_of(decision.stage),
+                       tie ? fmt::format(", \"tie\": {{\"last\": \"{}\", \"conflict\": {}}}",
+                                         tie->last, tie->conflict)
+                           : "");
+}
+/// Words about an answer to standard error.
+void print_words(const Answer& answer, const std::string& before = {}) {
+    for (const std::string& line : answer.words)
+        std::fprintf(stderr, "%s%s\n", before.c_str(), line.c_str());
+}
+
+/// The predicates that a call may name.
+std::vector<std::string> names_of_predicates() {
+    std::vector<std::string> names = {"ccw", "in_circle", "in_sphere"};
+    for (const Classic& each : classics) names.emplace_back(each.name);
+    return names;
+}
+
+/// A question a line from standard input: its numbers, after the name of a predicate where the call
+/// has none. Blank lines and those that begin with # are none. Throws InputError for the first one
+/// that cannot be asked; those before are answered.
+void answer_lines(const SignCall& call) {
+    std::string line;
+    for (std::int64_t number = 1; std::getline(std::cin, line); ++number) {
+        SignCall of_line = call;
+        of_line.numbers.clear();
+        of_line.place = {};
+        std::istringstream words(line);
+        std::string word;
+        if (!(words >> word) || word.front() == '#') continue;
+        if (call.predicate == standard_output) {
+            const std::vector<std::string> names = names_of_predicates();
+            if (std::ranges::find(names, word) == names.end())
+                throw InputError("standard input", {number, 1},
+                                 fmt::format("{} is no predicate; they are {}", in_quotes(word),
+                                             fmt::join(names, ", ")));
+            of_line.predicate = word;
+        } else {
+            of_line.numbers.push_back(word);
+        }
+        while (words >> word) of_line.numbers.push_back(word);
+        try {
+            const Answer answer = decide(of_line);
+            print(line_of(answer, call.json));
+            if (call.explain) print_words(answer, fmt::format("line {}: ", number));
+        } catch (const CallError& error) {
+            throw InputError("standard input", {number, 1}, error.what());
+        }
     }
-    print(fmt::format("{} {}\n", decision.sign, name_of(decision.stage)));
-    for (const std::string& line : words) std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+void run(const SignCall& call) {
+    if (call.predicate == standard_output || call.numbers == std::vector<std::string>{"-"}) {
+        if (call.predicate == standard_output && !call.numbers.empty())
+            throw CallError("sign -: questions come from standard input; leave the numbers out");
+        return answer_lines(call);
+    }
+    const Answer answer = decide(call);
+    print(line_of(answer, call.json));
+    // As JSON the answer alone, unless it is asked for.
+    if (!call.json || call.explain) print_words(answer);
 }
 
 }  // namespace
@@ -456,7 +571,11 @@ void add_sign(CLI::App& tool) {
     CLI::App* command = tool.add_subcommand(
         "sign", "Prints the exact sign of a predicate, and the stage that decided it");
     add_checked(*command, "PREDICATE", call->predicate, "",
-                one_of({"ccw", "in_circle", "in_sphere"}),
+                one_of([] {
+                    std::vector<std::string> names = names_of_predicates();
+                    names.emplace_back(standard_output);
+                    return names;
+                }()),
                 "ccw        three points turn left (1), right (-1)\n"
                 "           or lie on a line (0)\n"
                 "           in space: the fourth lies on the side from\n"
@@ -468,12 +587,16 @@ void add_sign(CLI::App& tool) {
                 "           four others, in the power metric centres\n"
                 "           that turn positively, in the Euclidean one\n"
                 "           in points that do; in the supremum and the\n"
-                "           Manhattan metric of a cube or an octahedron")
+                "           Manhattan metric of a cube or an octahedron\n"
+                "orient2d, incircle, orient3d, insphere\n"
+                "           of points, with the signs of Shewchuk's functions\n"
+                "-          the first word of each line of standard input")
         ->required();
     command
         ->add_option("NUMBER", call->numbers,
                      "After --: x y of each point for ccw, in space x y z;\n"
-                     "x y r of each site for in_circle, x y z r for\nin_sphere")
+                     "x y r of each site for in_circle, x y z r for\nin_sphere. "
+                     "- reads a question a line from standard\ninput")
         ->type_name("");
     command
         ->add_option_function<int>(
@@ -495,18 +618,22 @@ void add_sign(CLI::App& tool) {
                       "Prints {\"sign\": S, \"stage\": NAME}; where in_circle\n"
                       "or in_sphere is 0, and there is a tie rule, also\n\"tie\": {\"last\": SITE, "
                       "\"conflict\": BOOL}");
+    command->add_flag("--explain", call->explain,
+                      "Words about each answer on standard error, of lines and\nwith --json, too");
     command->footer(
         "Prints the sign and the stage; words about ties, hidden sites and stages behind\n"
         "the filter go to standard error.\n\n"
         "Examples:\n"
         "  signum sign ccw -- 0 0  1 0  0 1\n"
+        "  signum sign orient3d -- 0 0 0  1 0 0  0 1 0  0 0 1\n"
+        "  signum sign incircle - < questions.txt\n"
         "  signum sign in_circle --metric power -- 0 0 1  1 0 1  0 1 1  1 1 1\n"
         "  signum sign in_circle --metric supremum -- 0 0 0  4 1 0  1 4 0  2 2 0\n"
         "  signum sign ccw --dimension 3 -- 0 0 0  1 0 0  0 1 0  0 0 1\n"
         "  signum sign in_sphere --metric power -- 0 0 0 1  1 0 0 1  0 1 0 1  0 0 1 1  1 1 1 1\n"
         "  signum sign in_sphere -- 0 0 0 1  4 0 0 1  0 4 0 1  0 0 4 0.5  1 1 1 0\n"
         "  signum sign in_sphere --metric supremum -- 0 0 0 1  6 1 2 1  1 7 3 1  2 3 8 1  4 4 4 0");
-    command->callback([call] { print_answer(decide(*call), call->json); });
+    command->callback([call] { run(*call); });
 }
 
 }  // namespace signum::cli

@@ -24,6 +24,7 @@ constexpr std::array<Format, 3> formats = {
 struct TortureCall {
     std::string plugin;
     std::array<std::string, torture::functions> names;
+    std::string init;
     std::string returns = "double";
     double seconds = 60.0;
     std::uint64_t seed = 1;
@@ -37,7 +38,7 @@ void run(const TortureCall& call) {
     if (call.json && where.format.empty()) where.format = "json";
     const std::vector<Target> targets = targets_of(where, call.plugin, formats);
     const Outputs outputs(targets);
-    const torture::Plugin plugin(call.plugin, call.names, call.returns == "int");
+    const torture::Plugin plugin(call.plugin, call.names, call.init, call.returns == "int");
     torture::Options options;
     options.seconds = call.seconds;
     options.seed = call.seed;
@@ -73,6 +74,11 @@ void add_torture(CLI::App& tool) {
                          fmt::format("What {} is called in PLUGIN", name))
             ->type_name("NAME");
     }
+    command
+        ->add_option("--init", call->init,
+                     "What is called before them; where it is there,\nexactinit, as Shewchuk's and "
+                     "TetGen's want it")
+        ->type_name("NAME");
     add_checked(*command, "--returns", call->returns, "TYPE", one_of({"double", "int"}),
                 "What the functions return: double or int");
     add_checked(*command, "--seconds", call->seconds, "N", number_from(1.0, 1e6),

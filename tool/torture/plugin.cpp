@@ -33,7 +33,7 @@ double call(void* function, const Question& question) {
 }  // namespace
 
 Plugin::Plugin(const std::string& path, const std::array<std::string, functions>& names,
-               bool returns_int)
+               const std::string& init, bool returns_int)
     : returns_int_(returns_int) {
     // Without a slash it would be looked for where the system has its libraries.
     const std::string file = path.find('/') == std::string::npos ? "./" + path : path;
@@ -54,7 +54,10 @@ Plugin::Plugin(const std::string& path, const std::array<std::string, functions>
                          "has none of the C functions orient2d, incircle, orient3d and insphere: "
                          "--orient2d NAME and so on say what they are called");
     // Shewchuk's wants no arguments, TetGen's these: no messages, exact, no static filter.
-    if (void* const start = ::dlsym(library, "exactinit"))
+    void* const start = ::dlsym(library, init.empty() ? "exactinit" : init.c_str());
+    if (start == nullptr && !init.empty())
+        throw InputError(path, fmt::format("has no function {}", init));
+    if (start != nullptr)
         reinterpret_cast<void (*)(int, int, int, double, double, double)>(start)(0, 0, 1, 1, 1, 1);
 }
 

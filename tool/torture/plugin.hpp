@@ -13,10 +13,11 @@ namespace signum::torture {
 class Plugin {
  public:
     /// `names`: of the four functions, empty for Shewchuk's own. `returns_int`: they return int and
-    /// not double. Throws MachineError where the library does not load, CallError's base where a
-    /// name that was given is not in it, or none of the four is.
+    /// not double. Throws InputError where the library does not load, lacks a name that was given,
+    /// or has none of the four.
+    /// `init` is called first, where it is there; empty for exactinit.
     Plugin(const std::string& path, const std::array<std::string, functions>& names,
-           bool returns_int);
+           const std::string& init, bool returns_int);
 
     [[nodiscard]] bool has(Asked asked) const noexcept { return calls_[place_of(asked)] != nullptr; }
     /// May do whatever the plugin does: crash, or never return.

@@ -257,7 +257,8 @@ Question Maker::made(hard::Moves<d>& moves, Asked asked, std::size_t family) {
             for (auto& ball : balls)
                 for (double& x : ball.centre) {
                     x = 0.1 * static_cast<double>(moves.integer(0, 10));
-                    if (moves.once_in(3)) x = std::nextafter(x, moves.once_in(2) ? 2.0 : -2.0);
+                    if (x != 0.0 && moves.once_in(3))
+                        x = std::nextafter(x, moves.once_in(2) ? 2.0 : -2.0);
                 }
             break;
         case nearly_on_circle:
