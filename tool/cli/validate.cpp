@@ -1,9 +1,18 @@
 /// signum validate: judges a tessellation, whoever made it.
 
+#include <algorithm>
+#include <array>
 #include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include "../../triangulation/validate_finite.hpp"
+#include "../draw/draw_faults.hpp"
+#include "../io/read_faces.hpp"
 #include "../io/read_tessellation.hpp"
 
 #include "commands.hpp"
@@ -20,9 +29,17 @@ struct ValidateCall {
     std::string sites;
     std::string columns;
     std::string read_as;
+    std::string weight_is;  ///< of finite faces, which do not tell
     int threads = 0;
     bool quiet = false;
+    bool finite = false;
+    bool from_one = false;
+    OutputsCall outputs;
 };
+
+constexpr std::array<Format, 2> formats = {
+    {{"json", "the judgement, with all faces at fault"},
+     {"svg", "a picture of them", Dimension::two, ""}}};
 
 Validation judged_in_space(const ValidateCall& call, const ReadTessellation& read) {
     if (!traits_of(read.arrays.metric).edges_are_straight) {
@@ -52,7 +69,94 @@ Validation judged_in_plane(const ValidateCall& call, const TessellationArrays& a
                                   call.threads);
 }
 
+// ---- faces as others give them -----------------------------------------------------------------
+
+/// So many of a fault.
+std::int64_t count_of(const FiniteValidation& judged, FiniteFault fault) {
+    return std::ranges::count(judged.faults, fault, &FiniteValidation::Fault::fault);
+}
+constexpr std::array<std::pair<FiniteFault, std::string_view>, 4> faults = {
+    {{FiniteFault::number, "wrong numbers"},
+     {FiniteFault::flat, "flat"},
+     {FiniteFault::overlap, "overlapping"},
+     {FiniteFault::conflict, "in conflict"}}};
+
+std::string as_json(const FiniteValidation& judged) {
+    nlohmann::ordered_json json;
+    json["valid"] = judged.valid;
+    json["message"] = judged.message;
+    json["faults"] = nlohmann::ordered_json::array();
+    for (const auto& [face, fault] : judged.faults)
+        json["faults"].push_back(
+            {{"face", face},
+             {"fault", std::ranges::find(faults, fault, &decltype(faults)::value_type::first)
+                           ->second}});
+    json["open"] = judged.open;
+    json["missing"] = judged.missing;
+    return json.dump() + "\n";
+}
+
+void run_finite(const ValidateCall& call) {
+    const FacesFile read = read_faces(call.tessellation);
+    const auto renumbered = [&](auto faces) {
+        if (call.from_one && !read.are_from_one)
+            for (auto& face : faces)
+                for (Index& site : face) --site;
+        return faces;
+    };
+    const bool in_space = !read.cells.empty();
+    const SitesFile sites = read_sites_by_columns(call.sites, call.columns, in_space ? 3 : 2,
+                                                  input_of(call.sites, call.read_as));
+    const InputSites given = {sites, call.weight_is == name_of(WeightIs::weight)
+                                         ? WeightIs::weight
+                                         : WeightIs::radius};
+    std::vector<Target> targets;
+    if (!call.outputs.outputs.empty() || !call.outputs.format.empty())
+        targets = targets_of(call.outputs, call.tessellation, formats);
+    if (in_space && is_written(targets, "svg"))
+        throw CallError("pictures are of the plane; give .json for space");
+    const Outputs outputs(targets);
+    const auto faces = renumbered(read.faces);
+    const StridedSites in_plane = strided_view(sites.sites, given.third);
+    const FiniteValidation judged =
+        in_space ? with_sites_in_space(given,
+                                       [&](auto those) {
+                                           const auto cells = renumbered(read.cells);
+                                           return validate_finite(cells, those,
+                                                                  {.threads = call.threads});
+                                       })
+                 : validate_finite(faces, in_plane, {.threads = call.threads});
+    outputs.write({{"json", [&](std::ostream& out) { out << as_json(judged); }},
+                   {"svg", [&](std::ostream& out) { draw_faults(out, faces, in_plane, judged); }}});
+    print(judged.valid ? "valid\n" : fmt::format("not valid: {}\n", judged.message));
+    if (judged.valid) return;
+    const std::string_view face = in_space ? "cells" : "faces";
+    if (!judged.faults.empty()) {
+        std::string line = fmt::format("{} of {} {} at fault:", judged.faults.size(), read.size(), face);
+        for (const auto& [fault, name] : faults)
+            if (const std::int64_t count = count_of(judged, fault); count > 0)
+                line += fmt::format(" {} {},", count, name);
+        line.back() = '\n';
+        print(line);
+    }
+    if (judged.open > 0)
+        print(fmt::format("{} edges of one face are not on the hull\n", judged.open));
+    if (!judged.missing.empty())
+        print(fmt::format("{} sites are of no {}, and should be\n", judged.missing.size(),
+                          in_space ? "cell" : "face"));
+    const auto weighs = [](const auto& site) { return site.r != 0.0; };
+    const bool is_regular = std::ranges::any_of(sites.sites, weighs) ||
+                            std::ranges::any_of(sites.in_space, weighs);
+    throw CheckFailure(fmt::format("{} is not a {} triangulation of {}", call.tessellation,
+                                   is_regular ? "regular" : "Delaunay", call.sites));
+}
+
 void run(const ValidateCall& call) {
+    if (call.finite) return run_finite(call);
+    if (call.from_one || !call.outputs.outputs.empty() || !call.outputs.format.empty() ||
+        !call.weight_is.empty())
+        throw CallError(
+            "--from-one, --weight-is, -o and --format are of finite faces; add --finite");
     if (call.tessellation == "-" && call.sites == "-") {
         throw CallError("only one of the two files can be standard input");
     }
@@ -77,7 +181,9 @@ void add_validate(CLI::App& tool) {
         tool.add_subcommand("validate", "Judges a tessellation from scratch, whoever made it");
     command
         ->add_option("TESSELLATION", call->tessellation,
-                     "The JSON that triangulate writes; - for standard\ninput")
+                     "The JSON that triangulate writes; - for standard\ninput. With --finite "
+                     "anybody's faces or cells: .json,\n.npy, .ele, .obj, .ply, .vtk, or three or "
+                     "four numbers\na line")
         ->required()
         ->type_name("");
     command
@@ -89,14 +195,24 @@ void add_validate(CLI::App& tool) {
         ->type_name("");
     describe_columns_in_space(*add_columns(*command, call->columns));
     add_read_as(*command, call->read_as);
+    command->add_flag("--finite", call->finite,
+                      "Triangles or tetrahedra alone, in any order and\norientation: are they a "
+                      "Delaunay triangulation, or of\nsites with a last number a regular one? "
+                      "Whichever\nties allow");
+    command->add_flag("--from-one", call->from_one,
+                      "With --finite: the faces number the sites from 1, not 0");
+    add_weight_is(*command, call->weight_is, "with --finite radius");
+    add_outputs(*command, call->outputs, formats, "with --finite; nothing without -o");
     add_threads(*command, call->threads);
     command->add_flag("--quiet", call->quiet, "No progress on standard error");
     command->footer(
-        "Prints \"valid, canonical\", \"valid, not canonical: WHY\" or \"not valid: WHY\";\n"
-        "exit 1 when it is not valid.\n\n"
+        "Prints \"valid, canonical\", \"valid, not canonical: WHY\" or \"not valid: WHY\", with\n"
+        "--finite \"valid\" or \"not valid: WHY\" and how many faces are at fault; exit 1 when\n"
+        "it is not valid.\n\n"
         "Examples:\n"
         "  signum validate out.json sites.txt\n"
-        "  signum validate cells.json protein.pdb");
+        "  signum validate cells.json protein.pdb\n"
+        "  signum validate simplices.npy points.npy --finite -o faults.svg");
     command->callback([call] { run(*call); });
 }
 

@@ -1,0 +1,354 @@
+#include "validate_finite.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+#include "../predicates/power.hpp"
+#include "../predicates/space.hpp"
+#include "space/triangulate.hpp"
+#include "space/validate.hpp"
+#include "triangulate.hpp"
+
+namespace signum {
+namespace {
+
+/// What differs between the plane and space.
+struct Plane {
+    static constexpr std::size_t corners = 3;
+    static constexpr const char* face = "face";
+    static constexpr const char* facet = "edge";
+    static constexpr const char* ball = "circle";
+
+    StridedSites sites;
+
+    [[nodiscard]] Sign turn(const std::array<Index, 3>& f) const {
+        return ccw(centre(f[0]), centre(f[1]), centre(f[2]));
+    }
+    [[nodiscard]] Sign conflict(const std::array<Index, 3>& f, Index q) const {
+        const auto ask = [&]<class S>(S) {
+            return power::in_circle(site<S>(f[0]), site<S>(f[1]), site<S>(f[2]), site<S>(q));
+        };
+        if (sites.third() == nullptr) return ask(Point{});
+        return sites.third_is_weight() ? ask(power::Site{}) : ask(Site{});
+    }
+    /// Orders equal sites beside one another.
+    [[nodiscard]] std::array<double, 4> key(std::size_t i) const {
+        const Site s = sites[i];
+        return {s.x, s.y, 0.0, sites.third_is_weight() ? s.r : std::fabs(s.r)};
+    }
+    [[nodiscard]] std::size_t size() const { return sites.size(); }
+
+ private:
+    [[nodiscard]] Point centre(Index i) const {
+        const Site s = sites[static_cast<std::size_t>(i)];
+        return {s.x, s.y};
+    }
+    template <class S>
+    [[nodiscard]] S site(Index i) const {
+        return power::made_of<S>(sites[static_cast<std::size_t>(i)]);
+    }
+};
+template <class S>
+struct Space {
+    static constexpr std::size_t corners = 4;
+    static constexpr const char* face = "cell";
+    static constexpr const char* facet = "facet";
+    static constexpr const char* ball = "sphere";
+
+    std::span<const S> sites;
+
+    [[nodiscard]] Sign turn(const std::array<Index, 4>& f) const {
+        return ccw(at(f[0]), at(f[1]), at(f[2]), at(f[3]));
+    }
+    [[nodiscard]] Sign conflict(const std::array<Index, 4>& f, Index q) const {
+        return power::in_sphere(at(f[0]), at(f[1]), at(f[2]), at(f[3]), at(q));
+    }
+    [[nodiscard]] std::array<double, 4> key(std::size_t i) const {
+        const S& s = sites[i];
+        return {s.x, s.y, s.z, power::weight_key(s)};
+    }
+    [[nodiscard]] std::size_t size() const { return sites.size(); }
+
+ private:
+    [[nodiscard]] const S& at(Index i) const { return sites[static_cast<std::size_t>(i)]; }
+};
+
+/// The canonical tessellation, whose hidden sites are those of all, and its hull.
+struct Reference {
+    std::vector<Hidden> hidden;
+    std::vector<Face> at_infinity;  ///< of the plane
+};
+Reference reference_of(const Plane& of, const ValidationOptions& options) {
+    const Tessellation whole =
+        triangulate(of.sites, Power{}, {.threads = options.threads, .stop = options.stop});
+    Reference reference{whole.arrays().hidden, {}};
+    for (const Face& face : whole.faces())
+        if (face[0] == infinite) reference.at_infinity.push_back(face);
+    return reference;
+}
+template <class S>
+Reference reference_of(const Space<S>& of, const ValidationOptions& options) {
+    return {triangulate(of.sites, Power{}, {.threads = options.threads, .stop = options.stop})
+                .hidden,
+            {}};
+}
+
+/// The judgement of validate() about the faces with those at infinity, which follow them.
+Validation judged(const Plane& of, std::vector<std::array<Index, 3>> faces,
+                  std::vector<Hidden> hidden, const ValidationOptions& options) {
+    TessellationArrays arrays;
+    arrays.weight_is = of.sites.third_is_weight() ? WeightIs::weight : WeightIs::radius;
+    arrays.sites = static_cast<std::int64_t>(of.size());
+    arrays.faces = std::move(faces);
+    arrays.hidden = std::move(hidden);
+    return validate(arrays, of.sites, options);
+}
+template <class S>
+Validation judged(const Space<S>& of, std::vector<std::array<Index, 4>> faces,
+                  std::vector<Hidden> hidden, const ValidationOptions& options) {
+    SpaceTessellation space;
+    space.dimension = 3;
+    space.sites = static_cast<std::int64_t>(of.size());
+    space.cells = std::move(faces);
+    space.hidden = std::move(hidden);
+    return validate(space, of.sites, options);
+}
+
+template <class Of>
+class Judge {
+    static constexpr std::size_t corners = Of::corners;
+    using Face = std::array<Index, corners>;
+
+    /// A facet as one of its faces has it.
+    struct Side {
+        std::array<Index, corners - 1> sites;  ///< rising
+        std::int64_t face;
+        std::size_t corner;  ///< across from it
+        bool is_even;        ///< the corner and they, as the face has them
+    };
+
+ public:
+    Judge(Of of, std::span<const Face> faces, const ValidationOptions& options)
+        : of_(std::move(of)), faces_(faces.begin(), faces.end()), options_(options) {}
+
+    FiniteValidation run() {
+        for (std::size_t f = 0; f < faces_.size(); ++f) check_numbers(f);
+        if (!result_.faults.empty()) return finished();
+        vertices_are_said_once();
+        for (std::size_t f = 0; f < faces_.size(); ++f) turn_alike(f);
+        std::vector<Side> border;
+        pair_up(border);
+        const Reference reference = reference_of(of_, options_);
+        const std::vector<Hidden> hidden = find_missing(reference.hidden);
+        if (has_been_glued_) count_open(border, reference.at_infinity);
+        if (!result_.faults.empty() || !result_.missing.empty() || faces_.empty()) {
+            if (faces_.empty() && result_.message.empty()) result_.message = "there is no face";
+            return finished();
+        }
+        std::vector<Face> all = faces_;
+        for (const Side& side : border) all.push_back(beyond(side));
+        const Validation whole = judged(of_, std::move(all), hidden, options_);
+        result_.valid = whole.valid;
+        if (!whole.valid && result_.message.empty()) result_.message = whole.message;
+        return finished();
+    }
+
+ private:
+    static std::string name(std::size_t f) { return Of::face + (" " + std::to_string(f)); }
+    void blame(std::size_t f, FiniteFault fault, const std::string& why) {
+        if (result_.message.empty()) result_.message = name(f) + ": " + why;
+        result_.faults.push_back({static_cast<std::int64_t>(f), fault});
+    }
+
+    void check_numbers(std::size_t f) {
+        Face face = faces_[f];
+        for (const Index site : face)
+            if (site < 0 || static_cast<std::size_t>(site) >= of_.size())
+                return blame(f, FiniteFault::number,
+                             "there is no site " + std::to_string(site) + " of " +
+                                 std::to_string(of_.size()) + ", which are numbered from 0");
+        std::ranges::sort(face);
+        if (const auto* const twice = std::ranges::adjacent_find(face); twice != face.end())
+            blame(f, FiniteFault::number, "site " + std::to_string(*twice) + " is there twice");
+    }
+
+    /// Of equal sites one alone is a vertex, and stands for all from here on.
+    void vertices_are_said_once() {
+        is_vertex_.assign(of_.size(), 0);
+        for (const Face& face : faces_)
+            for (const Index site : face) is_vertex_[static_cast<std::size_t>(site)] = 1;
+        std::vector<Index> order(of_.size());
+        std::iota(order.begin(), order.end(), 0);
+        const auto key = [&](Index i) { return of_.key(static_cast<std::size_t>(i)); };
+        std::ranges::sort(order, {}, [&](Index i) { return std::pair(key(i), i); });
+        first_.assign(of_.size(), 0);
+        for (std::size_t k = 0, end = 0; k < order.size(); k = end) {
+            for (end = k; end < order.size() && key(order[end]) == key(order[k]); ++end)
+                first_[static_cast<std::size_t>(order[end])] = order[k];
+        }
+        // The first of equal ones is the canonical one.
+        std::vector<char> is_first_vertex(of_.size(), 0);
+        for (std::size_t i = 0; i < of_.size(); ++i) {
+            if (is_vertex_[i] == 0) continue;
+            char& known = is_first_vertex[static_cast<std::size_t>(first_[i])];
+            if (known != 0 && result_.message.empty())
+                result_.message = "site " + std::to_string(i) +
+                                  " is a vertex, and another one at the same place is, too";
+            known = 1;
+        }
+        is_vertex_ = std::move(is_first_vertex);
+        for (Face& face : faces_)
+            for (Index& site : face) site = first_[static_cast<std::size_t>(site)];
+    }
+
+    void turn_alike(std::size_t f) {
+        Face& face = faces_[f];
+        const Sign turn = of_.turn(face);
+        if (turn == 0) {
+            blame(f, FiniteFault::flat, corners == 3 ? "its sites lie on a line"
+                                                     : "its sites lie in a plane");
+            return;
+        }
+        if (turn < 0) std::swap(face[corners - 2], face[corners - 1]);
+    }
+
+    [[nodiscard]] Side side_of(std::size_t f, std::size_t corner) const {
+        Side side{{}, static_cast<std::int64_t>(f), corner, corner % 2 == 0};
+        for (std::size_t k = 0, to = 0; k < corners; ++k)
+            if (k != corner) side.sites[to++] = faces_[f][k];
+        for (std::size_t end = corners - 1; end > 1; --end)
+            for (std::size_t k = 0; k + 1 < end; ++k)
+                if (side.sites[k + 1] < side.sites[k]) {
+                    std::swap(side.sites[k], side.sites[k + 1]);
+                    side.is_even = !side.is_even;
+                }
+        return side;
+    }
+    /// Two faces at each facet, on different sides, and neither site beyond in the other's circle.
+    void pair_up(std::vector<Side>& border) {
+        std::vector<Side> sides;
+        sides.reserve(corners * faces_.size());
+        for (std::size_t f = 0; f < faces_.size(); ++f)
+            for (std::size_t k = 0; k < corners; ++k) sides.push_back(side_of(f, k));
+        std::ranges::sort(sides, {}, [](const Side& s) { return std::tuple(s.sites, s.face); });
+        const std::size_t flat = result_.faults.size();
+        for (std::size_t s = 0, end = 0; s < sides.size(); s = end) {
+            for (end = s; end < sides.size() && sides[end].sites == sides[s].sites;) ++end;
+            if (end - s == 1) {
+                border.push_back(sides[s]);
+                continue;
+            }
+            const auto f = static_cast<std::size_t>(sides[s].face);
+            const auto g = static_cast<std::size_t>(sides[s + 1].face);
+            if (end - s > 2 || sides[s].is_even == sides[s + 1].is_even) {
+                for (std::size_t each = s; each < end; ++each)
+                    blame(static_cast<std::size_t>(sides[each].face), FiniteFault::overlap,
+                          end - s > 2
+                              ? "its " + std::string(Of::facet) + " belongs to " +
+                                    std::to_string(end - s) + " faces"
+                              : "it lies on the same side of its " + std::string(Of::facet) +
+                                    " as " + name(each == s ? g : f));
+                continue;
+            }
+            // A flat one has no circle.
+            if (flat > 0 && (of_.turn(faces_[f]) == 0 || of_.turn(faces_[g]) == 0)) continue;
+            const Index beyond = faces_[g][sides[s + 1].corner];
+            if (of_.conflict(faces_[f], beyond) > 0) {
+                blame(f, FiniteFault::conflict,
+                      "site " + std::to_string(beyond) + " of " + name(g) + ", beyond its " +
+                          Of::facet + ", lies in its " + Of::ball);
+                result_.faults.push_back({static_cast<std::int64_t>(g), FiniteFault::conflict});
+            }
+        }
+        has_been_glued_ = std::ranges::none_of(result_.faults, [](const auto& each) {
+            return each.fault != FiniteFault::conflict;
+        });
+    }
+
+    /// The face at infinity beyond a facet of the border.
+    [[nodiscard]] Face beyond(const Side& side) const {
+        Face face = faces_[static_cast<std::size_t>(side.face)];
+        face[side.corner] = infinite;
+        // On the other side it turns the other way.
+        std::swap(face[(side.corner + 1) % corners], face[(side.corner + 2) % corners]);
+        return face;
+    }
+
+    /// Sites of no face that should be of one; the others, which are hidden.
+    std::vector<Hidden> find_missing(const std::vector<Hidden>& hidden) {
+        std::vector<Index> by(of_.size(), infinite);
+        for (const Hidden& each : hidden) by[static_cast<std::size_t>(each.site)] = each.by;
+        std::vector<Hidden> found;
+        for (std::size_t i = 0; i < of_.size(); ++i) {
+            if (is_vertex_[i] != 0) continue;
+            if (by[i] == infinite)
+                result_.missing.push_back(static_cast<std::int64_t>(i));
+            else
+                found.push_back({static_cast<Index>(i), by[i]});
+        }
+        if (!result_.missing.empty() && result_.message.empty())
+            result_.message = "site " + std::to_string(result_.missing.front()) +
+                              " is no vertex of any " + Of::face + ", and should be one";
+        return found;
+    }
+
+    void count_open(const std::vector<Side>& border, const std::vector<signum::Face>& hull) {
+        if constexpr (corners == 3) {
+            std::set<std::array<Index, 2>> edges;
+            for (const auto& [at_infinity, b, a] : hull) edges.insert({std::min(a, b), std::max(a, b)});
+            for (const Side& side : border)
+                if (!edges.contains(side.sites)) {
+                    ++result_.open;
+                    if (result_.message.empty())
+                        result_.message = name(static_cast<std::size_t>(side.face)) + ": its edge " +
+                                          std::to_string(side.sites[0]) + " " +
+                                          std::to_string(side.sites[1]) +
+                                          " is on no other face, and not on the hull";
+                }
+        }
+    }
+
+    FiniteValidation finished() {
+        std::ranges::sort(result_.faults, {}, [](const FiniteValidation::Fault& each) {
+            return std::pair(each.face, each.fault);
+        });
+        result_.faults.erase(
+            std::unique(result_.faults.begin(), result_.faults.end(),
+                        [](const auto& a, const auto& b) { return a.face == b.face; }),
+            result_.faults.end());
+        return std::move(result_);
+    }
+
+    Of of_;
+    std::vector<Face> faces_;
+    const ValidationOptions& options_;
+    FiniteValidation result_;
+    std::vector<char> is_vertex_;
+    std::vector<Index> first_;  ///< of the sites that equal it
+    bool has_been_glued_ = false;
+};
+
+}  // namespace
+
+FiniteValidation validate_finite(std::span<const std::array<Index, 3>> faces, StridedSites sites,
+                                 const ValidationOptions& options) {
+    return Judge<Plane>({sites}, faces, options).run();
+}
+FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
+                                 std::span<const Point3> sites, const ValidationOptions& options) {
+    return Judge<Space<Point3>>({sites}, cells, options).run();
+}
+FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
+                                 std::span<const Site3> sites, const ValidationOptions& options) {
+    return Judge<Space<Site3>>({sites}, cells, options).run();
+}
+FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
+                                 std::span<const power::Site3> sites,
+                                 const ValidationOptions& options) {
+    return Judge<Space<power::Site3>>({sites}, cells, options).run();
+}
+
+}  // namespace signum

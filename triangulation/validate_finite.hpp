@@ -1,0 +1,62 @@
+#pragma once
+/// Judges triangulations as other programs give them: finite triangles or tetrahedra alone, in any
+/// order and orientation.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "../core/index.hpp"
+#include "../core/strided_sites.hpp"
+#include "validate.hpp"
+
+namespace signum {
+
+/// What may be wrong with a triangle or a tetrahedron ("face").
+enum class FiniteFault : std::uint8_t {
+    number,   ///< it names a site that there is not, or one twice
+    flat,     ///< its sites lie on a line, in space in a plane
+    overlap,  ///< three faces have one edge (facet), or two lie on the same side of theirs
+    conflict  ///< the site beyond an edge (facet) lies in its circle (sphere)
+};
+
+struct FiniteValidation {
+    bool valid = false;
+    /// What is wrong, and where: faces by their places in the input. Empty where nothing is.
+    std::string message;
+    /// Of faces that are at fault: their places, rising, and at what.
+    struct Fault {
+        std::int64_t face;
+        FiniteFault fault;  ///< the first of them, in the order above
+    };
+    std::vector<Fault> faults;
+    /// Edges (facets) of one face alone, which are not on the hull of the sites: behind each faces
+    /// are missing. Known where no face is at fault by number, flat or overlap; of the plane alone.
+    std::int64_t open = 0;
+    /// Sites of no face that have a place in the triangulation: not hidden by their weights, and
+    /// not at the place of one that is a vertex. Rising.
+    std::vector<std::int64_t> missing;
+};
+
+/// Whether the faces are a Delaunay triangulation of the points or, where sites have third numbers,
+/// a regular one (power metric), whichever of those that ties allow. Of sites at one place and of
+/// one weight any one may be the vertex. Throws std::invalid_argument for a site that is not
+/// finite; Stopped where options.stop asks for it. O(n log n), as a triangulation of the sites, for
+/// it makes one to know who is hidden.
+[[nodiscard]] FiniteValidation validate_finite(std::span<const std::array<Index, 3>> faces,
+                                               StridedSites sites,
+                                               const ValidationOptions& options = {});
+/// The same in space, of points, balls (weight r²) and sites that say their weight.
+[[nodiscard]] FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
+                                               std::span<const Point3> sites,
+                                               const ValidationOptions& options = {});
+[[nodiscard]] FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
+                                               std::span<const Site3> sites,
+                                               const ValidationOptions& options = {});
+[[nodiscard]] FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
+                                               std::span<const power::Site3> sites,
+                                               const ValidationOptions& options = {});
+
+}  // namespace signum
