@@ -98,21 +98,25 @@ Reference reference_of(const Space<S>& of, const ValidationOptions& options) {
 
 /// The judgement of validate() about the faces with those at infinity, which follow them.
 Validation judged(const Plane& of, std::vector<std::array<Index, 3>> faces,
-                  std::vector<Hidden> hidden, const ValidationOptions& options) {
+                  std::vector<std::array<Index, 3>> neighbours, std::vector<Hidden> hidden,
+                  const ValidationOptions& options) {
     TessellationArrays arrays;
     arrays.weight_is = of.sites.third_is_weight() ? WeightIs::weight : WeightIs::radius;
     arrays.sites = static_cast<std::int64_t>(of.size());
     arrays.faces = std::move(faces);
+    arrays.neighbours = std::move(neighbours);
     arrays.hidden = std::move(hidden);
     return validate(arrays, of.sites, options);
 }
 template <class S>
 Validation judged(const Space<S>& of, std::vector<std::array<Index, 4>> faces,
-                  std::vector<Hidden> hidden, const ValidationOptions& options) {
+                  std::vector<std::array<Index, 4>> neighbours, std::vector<Hidden> hidden,
+                  const ValidationOptions& options) {
     SpaceTessellation space;
     space.dimension = 3;
     space.sites = static_cast<std::int64_t>(of.size());
     space.cells = std::move(faces);
+    space.neighbours = std::move(neighbours);
     space.hidden = std::move(hidden);
     return validate(space, of.sites, options);
 }
@@ -148,11 +152,13 @@ class Judge {
             if (faces_.empty() && result_.message.empty()) result_.message = "there is no face";
             return finished();
         }
-        std::vector<Face> all = faces_;
-        for (const Side& side : border) all.push_back(beyond(side));
-        const Validation whole = judged(of_, std::move(all), hidden, options_);
+        for (const Side& side : border) faces_.push_back(beyond(side));
+        std::vector<Face> neighbours;
+        if (!result_.message.empty() || !find_neighbours(neighbours)) return finished();
+        const Validation whole =
+            judged(of_, std::move(faces_), std::move(neighbours), hidden, options_);
         result_.valid = whole.valid;
-        if (!whole.valid && result_.message.empty()) result_.message = whole.message;
+        if (!whole.valid) result_.message = whole.message;
         return finished();
     }
 
@@ -227,13 +233,40 @@ class Judge {
                 }
         return side;
     }
-    /// Two faces at each facet, on different sides, and neither site beyond in the other's circle.
-    void pair_up(std::vector<Side>& border) {
+    /// All of all faces, those of one facet beside one another.
+    [[nodiscard]] std::vector<Side> sorted_sides() const {
         std::vector<Side> sides;
         sides.reserve(corners * faces_.size());
         for (std::size_t f = 0; f < faces_.size(); ++f)
             for (std::size_t k = 0; k < corners; ++k) sides.push_back(side_of(f, k));
         std::ranges::sort(sides, {}, [](const Side& s) { return std::tuple(s.sites, s.face); });
+        return sides;
+    }
+    /// With those at infinity; false where the border is no closed curve (surface).
+    [[nodiscard]] bool find_neighbours(std::vector<Face>& neighbours) {
+        const std::vector<Side> sides = sorted_sides();
+        neighbours.resize(faces_.size());
+        for (std::size_t s = 0; s < sides.size(); s += 2) {
+            const bool are_two = s + 1 < sides.size() && sides[s].sites == sides[s + 1].sites &&
+                                 (s + 2 == sides.size() || sides[s + 2].sites != sides[s].sites);
+            if (!are_two) {
+                result_.message = "the border of the " + std::string(Of::face) +
+                                  "s meets itself at site " +
+                                  std::to_string(sides[s].sites[corners - 2]);
+                return false;
+            }
+            const auto tell = [&](const Side& one, const Side& other) {
+                neighbours[static_cast<std::size_t>(one.face)][one.corner] =
+                    static_cast<Index>(other.face);
+            };
+            tell(sides[s], sides[s + 1]);
+            tell(sides[s + 1], sides[s]);
+        }
+        return true;
+    }
+    /// Two faces at each facet, on different sides, and neither site beyond in the other's circle.
+    void pair_up(std::vector<Side>& border) {
+        const std::vector<Side> sides = sorted_sides();
         const std::size_t flat = result_.faults.size();
         for (std::size_t s = 0, end = 0; s < sides.size(); s = end) {
             for (end = s; end < sides.size() && sides[end].sites == sides[s].sites;) ++end;

@@ -8,6 +8,7 @@ PYBIND11_MODULE(_signum, module) {
     module.doc() = "The compiled part of signum.";
     module.attr("__version__") = signum_version();
     bind_plane(module);
+    bind_finite(module);
     bind_space(module);
     bind_predicates(module);
     bind_voronoi(module);

@@ -6,6 +6,7 @@
 namespace signum::python {
 
 void bind_plane(pybind11::module_& module);
+void bind_finite(pybind11::module_& module);
 void bind_space(pybind11::module_& module);
 void bind_predicates(pybind11::module_& module);
 void bind_voronoi(pybind11::module_& module);

@@ -6,6 +6,7 @@
 #include "../../triangulation/validate.hpp"
 #include "../../triangulation/vertices.hpp"
 #include "../../voronoi/contacts.hpp"
+#include "finite.hpp"
 #include "names.hpp"
 #include "parts.hpp"
 #include "results.hpp"
@@ -65,23 +66,25 @@ Tessellation triangulated(const py::object& sites, const std::string& metric,
     });
 }
 
-Validation validated(const py::object& sites, const py::object& faces, const std::string& metric,
+py::object validated(const py::object& sites, const py::object& faces, const py::object& metric,
                      const py::object& neighbours, const py::object& hidden,
                      const std::string& weight_is, int threads, const py::object& progress) {
+    if (metric.is_none() && neighbours.is_none() && hidden.is_none() && is_finite(faces))
+        return py::cast(validated_finite(sites, faces, weight_is, threads, progress));
     const int count = threads_of(threads);
     const Rows rows(sites, "sites", 2, 3);
     refuse_too_many(rows.size());
     TessellationArrays arrays;
-    arrays.metric = metric_of(metric);
+    arrays.metric = metric_of(metric.is_none() ? "euclidean" : py::cast<std::string>(metric));
     arrays.weight_is = weight_of(weight_is);
     arrays.sites = static_cast<std::int64_t>(rows.size());
     arrays.faces = rows_of<Face>(faces, "faces");
     if (!neighbours.is_none()) arrays.neighbours = rows_of<Face>(neighbours, "neighbours");
     if (!hidden.is_none()) arrays.hidden = rows_of<Hidden>(hidden, "hidden");
-    return watched(progress, [&](Watch& watch) {
+    return py::cast(watched(progress, [&](Watch& watch) {
         return validate(arrays, rows.sites(arrays.weight_is == WeightIs::weight),
                         {watch.token(), watch.progress(), count});
-    });
+    }));
 }
 
 py::array_t<bool> may_share_edge(const Tessellation& tessellation, const py::object& pairs) {
@@ -255,14 +258,20 @@ alone. Raises ValueError, naming the site by its row, for a number that is not f
 where inexact arithmetic fails; KeyboardInterrupt on Ctrl-C; whatever progress raises. Other threads run
 meanwhile; they must not write to the array. O(n log n) expected.)");
     module.def("validate", &validated, py::arg("sites"), py::arg("faces"),
-               py::arg("metric") = "euclidean", py::kw_only(), py::arg("neighbours") = py::none(),
+               py::arg("metric") = py::none(), py::kw_only(), py::arg("neighbours") = py::none(),
                py::arg("hidden") = py::none(), py::arg("weight_is") = "radius",
                py::arg("threads") = 0, py::arg("progress") = py::none(),
                R"(Whether arrays, whoever made them, are a tessellation of the sites: a Validation.
 
-faces as those of a Tessellation, those with infinity (-1) included, in any order; neighbours may be
+faces as those of a Tessellation, those with infinity (-1) included, in any order; metric as for
+triangulate(), 'euclidean' where it is None; neighbours may be
 missing where no two sites share several edges; hidden, sites whose cells are empty, with who hides them;
 threads as for triangulate().
+
+Without infinity, and without metric, neighbours and hidden, faces are simplices as SciPy, Qhull, Triangle
+or TetGen give them, triangles or tetrahedra in any order and orientation: whether they are a Delaunay
+triangulation of the sites or, where these have a last number, a regular one, whichever ties allow: a
+FiniteValidation.
 Raises ValueError for a site that is not finite.)");
 }
 

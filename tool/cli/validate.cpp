@@ -96,6 +96,23 @@ std::string as_json(const FiniteValidation& judged) {
     return json.dump() + "\n";
 }
 
+/// Whether the numbers go from 1 to as many as there are sites, though nobody says so.
+bool are_from_one(const FacesFile& read, const ValidateCall& call, Index sites) {
+    if (read.are_from_one || call.from_one) return false;
+    Index least = sites;
+    Index greatest = 0;
+    const auto look_at = [&](const auto& rows) {
+        for (const auto& row : rows)
+            for (const Index each : row) {
+                least = std::min(least, each);
+                greatest = std::max(greatest, each);
+            }
+    };
+    look_at(read.faces);
+    look_at(read.cells);
+    return least == 1 && greatest == sites;
+}
+
 void run_finite(const ValidateCall& call) {
     const FacesFile read = read_faces(call.tessellation);
     const auto renumbered = [&](auto faces) {
@@ -128,7 +145,12 @@ void run_finite(const ValidateCall& call) {
                  : validate_finite(faces, in_plane, {.threads = call.threads});
     outputs.write({{"json", [&](std::ostream& out) { out << as_json(judged); }},
                    {"svg", [&](std::ostream& out) { draw_faults(out, faces, in_plane, judged); }}});
-    print(judged.valid ? "valid\n" : fmt::format("not valid: {}\n", judged.message));
+    const auto count = static_cast<Index>(sites.sites.size() + sites.in_space.size());
+    print(judged.valid ? "valid\n"
+                       : fmt::format("not valid: {}{}\n", judged.message,
+                                     are_from_one(read, call, count)
+                                         ? "; --from-one takes them as numbered from 1"
+                                         : ""));
     if (judged.valid) return;
     const std::string_view face = in_space ? "cells" : "faces";
     if (!judged.faults.empty()) {
@@ -140,10 +162,10 @@ void run_finite(const ValidateCall& call) {
         print(line);
     }
     if (judged.open > 0)
-        print(fmt::format("{} edges of one face are not on the hull\n", judged.open));
+        print(fmt::format("edges of one face that are not on the hull: {}\n", judged.open));
     if (!judged.missing.empty())
-        print(fmt::format("{} sites are of no {}, and should be\n", judged.missing.size(),
-                          in_space ? "cell" : "face"));
+        print(fmt::format("sites that are of no {}, and should be: {}\n", in_space ? "cell" : "face",
+                          judged.missing.size()));
     const auto weighs = [](const auto& site) { return site.r != 0.0; };
     const bool is_regular = std::ranges::any_of(sites.sites, weighs) ||
                             std::ranges::any_of(sites.in_space, weighs);

@@ -17,6 +17,7 @@ __all__ = [
     "BrokenStructure",
     "Cells",
     "DynamicTessellation",
+    "FiniteValidation",
     "KineticTessellation",
     "Run",
     "Simulation",

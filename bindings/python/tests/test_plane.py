@@ -140,3 +140,26 @@ def test_few_sites(n):
     t = signum.triangulate(np.zeros((n, 2)) + np.arange(n)[:, None])
     assert len(t.faces) == max(2 * n - 2, 0) and t.faces.shape[1] == 3
     assert t.nearest([0.0, 0.0]) == (0 if n else -1)
+
+
+def test_simplices_of_others_are_judged():
+    points = np.array([[0, 0], [4, 0], [4, 4], [0, 4], [2, 2]], float)
+    simplices = np.array([[0, 1, 4], [2, 4, 1], [3, 2, 4], [0, 4, 3]])
+    assert signum.validate(points, simplices)
+    judged = signum.validate(points, [[0, 1, 2], [2, 3, 0], [0, 1, 3]])
+    assert not judged and not judged.valid
+    assert judged.faults.tolist() == [0, 1, 2] and judged.kinds == ["overlap"] * 3
+    assert judged.missing.tolist() == [4] and judged.open == 0
+    assert "same side" in judged.message and "same side" in repr(judged)
+    # With infinity, or a metric, faces are those of a tessellation.
+    t = signum.triangulate(points, "power")
+    assert signum.validate(points, t.faces, "power").canonical
+    assert isinstance(signum.validate(points, simplices, "power"), signum.Validation)
+    # Weights: the middle one is hidden where it weighs too little.
+    weighted = np.column_stack([points, [0, 0, 0, 0, -9.0]])
+    assert not signum.validate(weighted, simplices, weight_is="weight")
+    assert signum.validate(weighted, [[0, 1, 2], [2, 3, 0]], weight_is="weight")
+    tetrahedra = [[0, 1, 2, 3], [4, 2, 1, 3]]
+    corners = [[0, 0, 0], [3, 0, 0], [0, 3, 0], [0, 0, 3], [3, 3, 3]]
+    assert signum.validate(corners, tetrahedra)
+    assert signum.validate(corners, tetrahedra[:1]).missing.tolist() == [4]
