@@ -36,6 +36,7 @@
 #include "triangulation/tessellation.hpp"
 #include "triangulation/triangulate.hpp"
 #include "triangulation/validate.hpp"
+#include "triangulation/validate_finite.hpp"
 #include "triangulation/vertices.hpp"
 #include "voronoi/balls/diagram.hpp"
 #include "voronoi/balls/touching_rectangular.hpp"

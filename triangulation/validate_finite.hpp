@@ -22,16 +22,17 @@ enum class FiniteFault : std::uint8_t {
     conflict  ///< the site beyond an edge (facet) lies in its circle (sphere)
 };
 
+/// The judgement of faces without infinity.
 struct FiniteValidation {
-    bool valid = false;
+    bool valid = false;  ///< whether they are a Delaunay, or a regular, triangulation
     /// What is wrong, and where: faces by their places in the input. Empty where nothing is.
     std::string message;
-    /// Of faces that are at fault: their places, rising, and at what.
+    /// A face that is at fault.
     struct Fault {
-        std::int64_t face;
-        FiniteFault fault;  ///< the first of them, in the order above
+        std::int64_t face;  ///< its place in the input
+        FiniteFault fault;  ///< the first of its faults, in the order of the enumerators
     };
-    std::vector<Fault> faults;
+    std::vector<Fault> faults;  ///< by rising places
     /// Edges (facets) of one face alone, which are not on the hull of the sites: behind each faces
     /// are missing. Known where no face is at fault by number, flat or overlap; of the plane alone.
     std::int64_t open = 0;
@@ -48,13 +49,15 @@ struct FiniteValidation {
 [[nodiscard]] FiniteValidation validate_finite(std::span<const std::array<Index, 3>> faces,
                                                StridedSites sites,
                                                const ValidationOptions& options = {});
-/// The same in space, of points, balls (weight r²) and sites that say their weight.
+/// The same in space.
 [[nodiscard]] FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
                                                std::span<const Point3> sites,
                                                const ValidationOptions& options = {});
+/// The same of balls, whose weight is the square of the radius.
 [[nodiscard]] FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
                                                std::span<const Site3> sites,
                                                const ValidationOptions& options = {});
+/// The same of sites that say their weight.
 [[nodiscard]] FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
                                                std::span<const power::Site3> sites,
                                                const ValidationOptions& options = {});

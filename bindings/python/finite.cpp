@@ -80,7 +80,7 @@ void bind_finite(py::module_& module) {
             [](const FiniteValidation& v) {
                 std::vector<std::int64_t> faces;
                 for (const auto& each : v.faults) faces.push_back(each.face);
-                return table<std::int64_t>(std::move(faces));
+                return column<std::int64_t>(std::move(faces));
             },
             "The rows of simplices at fault, int64, rising.")
         .def_property_readonly(
@@ -96,7 +96,7 @@ void bind_finite(py::module_& module) {
         .def_property_readonly(
             "missing",
             [](const FiniteValidation& v) {
-                return table<std::int64_t>(std::vector<std::int64_t>(v.missing));
+                return column<std::int64_t>(std::vector<std::int64_t>(v.missing));
             },
             "Rows of sites that should be vertices and are none, int64, rising.")
         .def(

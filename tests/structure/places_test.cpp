@@ -82,7 +82,8 @@ TEST(Places, OfAnOutputFormat) {
                     format.name))
                 continue;
             for (const std::string& file : that_match('"' + std::string(format.name) + '"')) {
-                if (file.ends_with("_sites.cpp")) continue;  // readers
+                if (file.ends_with("_sites.cpp") || file.ends_with("read_faces.cpp"))
+                    continue;  // readers
                 EXPECT_TRUE(places.contains(file)) << format.name << ' ' << file;
                 ++seen;
             }

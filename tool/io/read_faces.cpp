@@ -13,7 +13,6 @@
 #include "input_file.hpp"
 #include "number.hpp"
 #include "read_sites.hpp"
-#include "sites_readers.hpp"
 
 namespace signum {
 namespace {
@@ -266,9 +265,10 @@ FacesFile read_json(InputFile& file) {
 }
 
 /// As an array of sites, whose numbers it has.
-FacesFile read_npy(InputFile& file) {
+FacesFile read_array(const std::string& path) {
+    const InputFile file(path, kind, Contents::bytes);
     Rows rows(file);
-    const SitesFile read = read_npy_sites(file, {});
+    const SitesFile read = read_sites(path, {.input = input_by_ending("npy")});
     const auto add = [&](std::initializer_list<double> numbers, std::size_t k) {
         std::vector<std::int64_t> row;
         for (const double number : numbers) {
@@ -296,9 +296,8 @@ FacesFile read_faces(const std::string& path) {
     std::ranges::transform(ending, ending.begin(), [](unsigned char c) {
         return c < 128 ? static_cast<char>(std::tolower(c)) : static_cast<char>(c);
     });
-    const bool is_bytes = ending == "npy";
-    InputFile file(path, kind, is_bytes ? Contents::bytes : Contents::text);
-    if (is_bytes) return read_npy(file);
+    if (ending == "npy") return read_array(path);
+    InputFile file(path, kind);
     if (ending == "json") return read_json(file);
     if (ending == "ele") return read_ele(file);
     if (ending == "obj") return read_obj(file);

@@ -50,6 +50,13 @@ Point3 space_point(const Question& q, std::size_t m) {
     return {q.point(m)[0], q.point(m)[1], q.point(m)[2]};
 }
 
+template <std::size_t d>
+bool has_denormal(const std::array<hard::Ball<d>, d + 2>& balls) {
+    return std::ranges::any_of(balls, [](const auto& ball) {
+        return std::ranges::any_of(ball.centre,
+                                   [](double x) { return x != 0.0 && std::fabs(x) < 0x1p-500; });
+    });
+}
 /// 2^-460 times a small integer.
 template <std::size_t d>
 double tiny_number(hard::Moves<d>& moves) {
@@ -284,9 +291,12 @@ Question Maker::made(hard::Moves<d>& moves, Asked asked, std::size_t family) {
             moves.raw(points, balls);
             break;
         default:
-            moves.any_pattern(points, balls);
-            shuffle();
-            if (family != lattice) move();
+            // Of numbers that are all 0 the ulp is a denormal.
+            do {
+                moves.any_pattern(points, balls);
+                shuffle();
+                if (family != lattice) move();
+            } while (has_denormal(balls));
             if (family == scaled) moves.scale(points, balls, static_cast<int>(moves.integer(-60, 60)));
             if (family == tiny_beside)
                 balls[static_cast<std::size_t>(moves.integer(0, d))]

@@ -153,7 +153,7 @@ def test_simplices_of_others_are_judged():
     assert "same side" in judged.message and "same side" in repr(judged)
     # With infinity, or a metric, faces are those of a tessellation.
     t = signum.triangulate(points, "power")
-    assert signum.validate(points, t.faces, "power").canonical
+    assert signum.validate(points, t.faces, "power", neighbours=t.neighbours).canonical
     assert isinstance(signum.validate(points, simplices, "power"), signum.Validation)
     # Weights: the middle one is hidden where it weighs too little.
     weighted = np.column_stack([points, [0, 0, 0, 0, -9.0]])

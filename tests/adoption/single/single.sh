@@ -66,6 +66,15 @@ gcc -std=c99 -Wall -Wextra -Werror -x c -I "$single" -c "$here/names.c" -o names
 gcc names.o predicates.o -lstdc++ -o names
 [ "$(./names)" = "0 1 1 -2" ] || fail "from C: $(./names)"
 
+# The program of the page, by the line of the page: it prints what its comments say.
+page="$root/docs/backend.md"
+mkdir page
+awk '/^```c\+\+$/ { inside = 1; next } /^```/ { inside = 0 } inside' "$page" > page/mine.cpp
+sed -n 's/.*\/\/ prints //p' page/mine.cpp > page/expected
+line=$(grep -E '^    g\+\+ .*signum_predicates.cpp$' "$page")
+(cd page && cp "$single"/signum_predicates.?pp . && $line && ./a.out > said && diff expected said) \
+  || fail "the program of docs/backend.md does not print what it says"
+
 # What cannot be right does not compile, and says why.
 refuse() {
   printf '#include <signum_predicates.hpp>\n#include <array>\nstruct Mine { int a; };\nint main() { %s }\n' "$1" > bad.cpp
