@@ -36,6 +36,7 @@ exact/parts.hpp
 exact/sign_of_sum.hpp
 exact/sign_of_sum.cpp
 single/parts/dyadic.hpp
+exact/integer_rows.hpp
 predicates/arithmetic.hpp
 predicates/ladder/decision.hpp
 predicates/formulas/difference.hpp
@@ -143,6 +144,9 @@ def section(path, includes):
     if path == "exact/expansion.hpp":
         text = text.replace(", gnu::always_inline]] inline Expansion", "]] inline Expansion")
         text = text.replace("[[gnu::always_inline]] void assign", "void assign")
+    # The rooms count their roundings themselves.
+    text = re.sub(r"(?m)^static_assert\((?:[^;\"]|\n)*?roundings(?:[^;\"]|\n)*?\);\n", "", text)
+    text = re.sub(r"(?m)^struct (No)?Tally \{\n(.*\n)*?\};\n", "", text)
     # Behind the filters short code counts for more than inlined code.
     text = text.replace("friend Bounded operator", "[[gnu::noinline]] friend Bounded operator")
     text = text.replace("[[gnu::always_inline]] friend inline DoubleDoubleOf operator",
@@ -152,7 +156,9 @@ def section(path, includes):
     text = re.sub(r"(?m)^(#undef |SIGNUM_FOR_\w+\()?SIGNUM_INSTANTIATE.*\n", "", text)
     text = re.sub(r"\bsignum\b(?!_)", "rooms", text)
     text = text.replace("rooms needs IEEE", "signum needs IEEE")
-    text = re.sub(r"\n{3,}", "\n\n", text).strip()
+    text = re.sub(r"\n{2,}", "\n", text).strip()
+    if path == "exact/integer_rows.hpp":
+        text = f"#if defined(__SIZEOF_INT128__)\n{text}\n#endif"
     return f"// ---- {path} " + "-" * max(3, 92 - len(path)) + f"\n\n{text}\n"
 
 

@@ -53,10 +53,8 @@ namespace {
 
 namespace rooms {
 namespace words {
-
 template <class T>
 using Bare = std::remove_cv_t<std::remove_reference_t<T>>;
-
 template <class A, class B>
 inline constexpr bool same = std::is_same_v<A, B>;
 #define SIGNUM_MEMBER(name)                                                                       \
@@ -80,7 +78,6 @@ template <class T, class = void>
 inline constexpr bool has_exactly = false;
 template <class T>
 inline constexpr bool has_exactly<T, std::void_t<decltype(T::exactly(0.0))>> = true;
-
 template <class T>
 class span {
  public:
@@ -98,12 +95,10 @@ class span {
     [[nodiscard]] constexpr span subspan(std::size_t from) const noexcept {
         return {first_ + from, size_ - from};
     }
-
  private:
     T* first_ = nullptr;
     std::size_t size_ = 0;
 };
-
 template <class To, class From>
 [[nodiscard]] constexpr To bit_cast(const From& from) noexcept {
     return __builtin_bit_cast(To, from);
@@ -120,7 +115,6 @@ template <class To, class From>
 [[nodiscard]] constexpr std::uint64_t bit_ceil(std::uint64_t x) noexcept {
     return x <= 1 ? 1 : std::uint64_t{1} << bit_width(x - 1);
 }
-
 }
 }
 
@@ -155,7 +149,6 @@ using Sign = int;
 [[nodiscard]] constexpr Sign sign_of(double value) noexcept {
     return static_cast<int>(value > 0.0) - static_cast<int>(value < 0.0);
 }
-
 }
 
 // ---- core/site.hpp -------------------------------------------------------------------------------
@@ -181,7 +174,6 @@ struct Site3 {
     double z = 0.0;
     double r = 0.0;
 };
-
 namespace power {
 struct Site {
     double x = 0.0;
@@ -194,7 +186,6 @@ struct Site3 {
     double z = 0.0;
     double w = 0.0;
 };
-
 }
 template <class... S>
 [[nodiscard]] constexpr bool are_finite(const S&... sites) noexcept {
@@ -208,7 +199,6 @@ template <class... S>
     };
     return (is_one(sites) && ...);
 }
-
 }
 
 // ---- core/index.hpp ------------------------------------------------------------------------------
@@ -218,13 +208,11 @@ using Index = std::int32_t;
 inline constexpr Index infinite = -1;
 inline constexpr std::int64_t max_sites = 357'913'941;
 inline constexpr std::int64_t max_sites_in_space = std::int64_t{1} << 28;
-
 }
 
 // ---- single/parts/error_free.hpp -----------------------------------------------------------------
 
 namespace rooms {
-
 template <class Number>
 struct TwoTermsOf {
     Number high;
@@ -241,7 +229,6 @@ using TwoTerms = TwoTermsOf<double>;
 #endif
     return number;
 }
-
 template <class Number = double>
 [[nodiscard, gnu::always_inline]] inline TwoTerms two_sum(double a, double b) noexcept {
     const double sum = a + b;
@@ -273,13 +260,11 @@ template <class Number = double>
     return {product, settled(low_a * low_b + rest)};
 #endif
 }
-
 }
 
 // ---- filters/environment.hpp ---------------------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::filters {
 using ::signum_environment_witness;
 [[nodiscard]] inline bool environment_is_default() noexcept {
@@ -314,9 +299,7 @@ using Two = double __attribute__((vector_size(16)));
     asm("" : SIGNUM_REGISTER(operand) : "m"(signum_environment_witness));
     return operand;
 }
-
 #undef SIGNUM_REGISTER
-
 [[nodiscard, gnu::always_inline]] inline Point pinned(const Point& p) noexcept {
     return {pinned(p.x), pinned(p.y)};
 }
@@ -335,9 +318,7 @@ using Two = double __attribute__((vector_size(16)));
 [[nodiscard, gnu::always_inline]] inline power::Site3 pinned(const power::Site3& s) noexcept {
     return {pinned(s.x), pinned(s.y), pinned(s.z), pinned(s.w)};
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- filters/bounds.hpp --------------------------------------------------------------------------
@@ -384,7 +365,6 @@ struct Compared {
     };
     return static_cast<int>(place(a) > place(b)) - static_cast<int>(place(a) < place(b));
 }
-
 }
 
 // ---- filters/verdict.hpp -------------------------------------------------------------------------
@@ -396,13 +376,11 @@ class [[nodiscard]] Verdict {
     static constexpr Verdict uncertain() noexcept { return Verdict(unknown_); }
     [[nodiscard]] constexpr bool is_certain() const noexcept { return value_ != unknown_; }
     [[nodiscard]] constexpr Sign sign() const noexcept { return value_; }
-
  private:
     static constexpr int unknown_ = 2;
     explicit constexpr Verdict(int value) noexcept : value_(value) {}
     int value_;
 };
-
 }
 
 // ---- filters/tally.hpp ---------------------------------------------------------------------------
@@ -425,40 +403,15 @@ struct Decision {
     Stage stage;
     bool tied = false;
 };
-
 }
-
 namespace rooms::filters {
-struct Tally {
-    std::uint64_t ccw = 0;
-    std::uint64_t in_circle = 0;
-    std::uint64_t nearer = 0;
-    std::uint64_t stages[stage_count] = {};
-    std::uint64_t ties = 0;
-
-    void count_ccw() noexcept { ++ccw; }
-    void count_in_circle() noexcept { ++in_circle; }
-    void count_nearer() noexcept { ++nearer; }
-    void count_stage(Stage stage) noexcept { ++stages[static_cast<int>(stage)]; }
-    void count_tie() noexcept { ++ties; }
-};
-struct NoTally {
-    static void count_ccw() noexcept {}
-    static void count_in_circle() noexcept {}
-    static void count_nearer() noexcept {}
-    static void count_stage(Stage) noexcept {}
-    static void count_tie() noexcept {}
-};
-
 }
 
 // ---- filters/rounding_count.hpp ------------------------------------------------------------------
 
 namespace rooms::filters {
-
 struct RoundingCount {
     int roundings = 0;
-
     constexpr RoundingCount() = default;
     explicit constexpr RoundingCount(double) noexcept {}
     [[nodiscard]] static constexpr RoundingCount of(int roundings) noexcept {
@@ -466,7 +419,6 @@ struct RoundingCount {
         result.roundings = roundings;
         return result;
     }
-
     friend constexpr RoundingCount operator*(RoundingCount a, RoundingCount b) noexcept {
         return of(a.roundings + b.roundings + 1);
     }
@@ -483,13 +435,11 @@ struct RoundingCount {
     friend constexpr RoundingCount magnitude(RoundingCount a) noexcept { return a; }
 };
 inline constexpr RoundingCount rounded_difference = RoundingCount(0.0) - RoundingCount(0.0);
-
 }
 
 // ---- filters/interval.hpp ------------------------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::filters {
 template <class Number>
 [[nodiscard]] constexpr Number min(Number a, Number b) noexcept {
@@ -502,16 +452,13 @@ template <class Number>
 struct Interval {
     double low;
     double high;
-
     Interval() = default;
     constexpr Interval(double from, double to) noexcept : low(from), high(to) {}
     explicit constexpr Interval(double number) noexcept : low(number), high(number) {}
-
     [[nodiscard]] static constexpr Interval everything() noexcept {
         constexpr double infinity = __builtin_huge_val();
         return {-infinity, infinity};
     }
-
     friend Interval operator-(const Interval& a) noexcept { return {-a.high, -a.low}; }
     friend Interval operator+(const Interval& a, const Interval& b) noexcept {
         return around(a.low + b.low, a.high + b.high, 0.0);
@@ -530,7 +477,6 @@ struct Interval {
         return around(least, greatest, 0x1p-1022);
     }
     friend Interval operator*(int a, const Interval& b) noexcept { return Interval(a) * b; }
-
  private:
     static Interval around(double low, double high, double underflow) noexcept {
         const double below = low - (epsilon * magnitude(low) + underflow);
@@ -557,21 +503,17 @@ struct Interval {
 [[nodiscard]] inline int sign_of_nonzero(const Interval& value) noexcept {
     return value.low > 0.0 ? 1 : -1;
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- filters/double_double.hpp -------------------------------------------------------------------
 
 namespace rooms::filters {
-
 inline constexpr double double_double_epsilon = 0x1p-102;
 template <class Number>
 struct DoubleDoubleOf {
     Number high;
     Number low;
-
     [[gnu::noinline]] friend DoubleDoubleOf operator+(
         const DoubleDoubleOf& x, const DoubleDoubleOf& y) noexcept {
         const TwoTermsOf<Number> sum = two_sum(x.high, y.high);
@@ -608,7 +550,6 @@ template <class Number>
     const TwoTerms sum = two_sum(a, b);
     return {sum.high, sum.low};
 }
-
 }
 
 // ---- filters/bounded.hpp -------------------------------------------------------------------------
@@ -617,14 +558,12 @@ namespace rooms::filters {
 struct Bounded {
     DoubleDouble value;
     double error;
-
     static constexpr double slack = 0x1.01p0;
     static constexpr double underflow = 0x1p-1070;
     [[nodiscard]] static Bounded exactly(double value) noexcept { return {{value, 0.0}, 0.0}; }
     [[nodiscard]] static Bounded exactly(const DoubleDouble& value) noexcept {
         return {value, 0.0};
     }
-
     [[nodiscard]] double size() const noexcept { return magnitude(value.high); }
     [[nodiscard]] Verdict sign() const noexcept {
         return size() * (1.0 - 0x1p-50) > error ? Verdict::certain(sign_of_nonzero(value.high))
@@ -633,7 +572,6 @@ struct Bounded {
     [[nodiscard]] bool is_positive() const noexcept {
         return value.high * (1.0 - 0x1p-50) - error > 0.0;
     }
-
     [[gnu::noinline]] friend Bounded operator-(const Bounded& a) noexcept {
         return {{-a.value.high, -a.value.low}, a.error};
     }
@@ -676,7 +614,6 @@ struct Bounded {
         return below;
     }
 };
-
 }
 
 // ---- exact/floating_environment.hpp --------------------------------------------------------------
@@ -684,13 +621,11 @@ struct Bounded {
 #if defined(__SSE2__)
 #else
 #endif
-
 namespace rooms::exact {
 class IeeeEnvironment {
  public:
     IeeeEnvironment(const IeeeEnvironment&) = delete;
     IeeeEnvironment& operator=(const IeeeEnvironment&) = delete;
-
 #if defined(__SSE2__)
     IeeeEnvironment() noexcept : saved_(_mm_getcsr()) {
         if (differs())
@@ -700,14 +635,12 @@ class IeeeEnvironment {
         if (differs())
             _mm_setcsr(saved_);
     }
-
  private:
     static constexpr unsigned default_control = 0x1F80;
     static constexpr unsigned sticky_flags = 0x003F;
     [[nodiscard]] bool differs() const noexcept {
         return (saved_ & ~sticky_flags) != default_control;
     }
-
     unsigned saved_;
 #else
     IeeeEnvironment() noexcept {
@@ -717,7 +650,6 @@ class IeeeEnvironment {
     ~IeeeEnvironment() {
         std::fesetenv(&saved_);
     }
-
  private:
     std::fenv_t saved_;
 #endif
@@ -735,13 +667,11 @@ template <class Function, class... Operands>
     asm volatile("" : "+m"(result) : : "memory");
     return result;
 }
-
 }
 
 // ---- exact/expansion.hpp -------------------------------------------------------------------------
 
 namespace rooms::exact {
-
 namespace window {
 [[nodiscard, gnu::always_inline]] inline bool contains(double value, int exponent) noexcept {
     constexpr std::uint64_t bias = 1023;
@@ -751,7 +681,6 @@ namespace window {
     const std::uint64_t least = power(bias - reach);
     return magnitude == 0 || magnitude - least <= power(bias + reach) - least;
 }
-
 }
 [[nodiscard, gnu::always_inline]] inline bool in_expansion_window(double coordinate) noexcept {
     return window::contains(coordinate, 200);
@@ -759,7 +688,6 @@ namespace window {
 [[nodiscard, gnu::always_inline]] inline bool weight_in_expansion_window(double weight) noexcept {
     return window::contains(weight, 400);
 }
-
 namespace terms {
 [[nodiscard]] int sum(words::span<const double> e, words::span<const double> f, double* h) noexcept;
 [[nodiscard, gnu::always_inline]] inline int scale(words::span<const double> e, double b,
@@ -781,9 +709,7 @@ namespace terms {
     append(high);
     return size;
 }
-
 }
-
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
@@ -791,7 +717,6 @@ namespace terms {
 template <int Capacity>
 class Expansion {
     static_assert(Capacity >= 1);
-
  public:
     Expansion() noexcept {}
     Expansion(double value) noexcept : size_(static_cast<int>(value != 0.0)) { terms_[0] = value; }
@@ -835,7 +760,6 @@ class Expansion {
     void negate() noexcept {
         for (int i = 0; i < size_; ++i) terms_[i] = -terms_[i];
     }
-
  private:
     void assign(TwoTerms value) noexcept {
         if (value.low == 0.0) {
@@ -851,11 +775,9 @@ class Expansion {
         size_ = static_cast<int>(terms.size());
         for (std::size_t i = 0; i < terms.size(); ++i) terms_[i] = terms[i];
     }
-
     int size_ = 0;
     double terms_[Capacity];
 };
-
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
 #endif
@@ -865,13 +787,11 @@ class Expansion {
 [[nodiscard]] inline Expansion<2> product(double a, double b) noexcept {
     return two_product(a, b);
 }
-
 template <int M>
 [[nodiscard]] inline Expansion<M> operator-(Expansion<M> e) noexcept {
     e.negate();
     return e;
 }
-
 template <int M, int N>
 [[nodiscard]] inline Expansion<M + N> operator+(
     const Expansion<M>& e, const Expansion<N>& f) noexcept {
@@ -879,13 +799,11 @@ template <int M, int N>
     result.assign_sum(e.terms(), f.terms());
     return result;
 }
-
 template <int M, int N>
 [[nodiscard]] inline Expansion<M + N> operator-(
     const Expansion<M>& e, const Expansion<N>& f) noexcept {
     return e + (-f);
 }
-
 template <int M>
 [[nodiscard]] inline Expansion<2 * M> operator*(const Expansion<M>& e,
                                                                     double b) noexcept {
@@ -893,7 +811,6 @@ template <int M>
     result.assign_scaled(e.terms(), b);
     return result;
 }
-
 template <int M>
 [[nodiscard]] inline Expansion<2 * M> operator*(
     double b, const Expansion<M>& e) noexcept {
@@ -905,7 +822,6 @@ template <int M, int N>
     words::span<const double> longer = e.terms();
     words::span<const double> shorter = f.terms();
     if (longer.size() < shorter.size()) std::swap(longer, shorter);
-
     Expansion<2 * M * N> result;
     if (shorter.empty()) return result;
     result.assign_scaled(longer, shorter.front());
@@ -917,13 +833,11 @@ template <int M, int N>
     }
     return result;
 }
-
 template <int M>
 [[nodiscard]] inline Expansion<2 * M * M> square(
     const Expansion<M>& e) noexcept {
     return e * e;
 }
-
 }
 
 // ---- exact/expansion.cpp -------------------------------------------------------------------------
@@ -961,7 +875,6 @@ int sum(words::span<const double> e, words::span<const double> f, double* h) noe
     append(carry);
     return size;
 }
-
 }
 
 // ---- exact/parts.hpp -----------------------------------------------------------------------------
@@ -982,21 +895,18 @@ struct Parts {
     const int zeros = words::countr_zero(significand);
     return {significand >> zeros, (biased == 0 ? 1 : biased) - 1075 + zeros, bits >> 63 != 0};
 }
-
 }
 
 // ---- exact/sign_of_sum.hpp -----------------------------------------------------------------------
 
 namespace rooms {
 [[nodiscard]] Sign sign_of_sum(words::span<const double> terms) noexcept;
-
 namespace exact {
 struct SumTrace {
     Sign sign;
     std::size_t steps;
 };
 [[nodiscard]] SumTrace trace_sign_of_sum(words::span<const double> terms) noexcept;
-
 }
 }
 
@@ -1005,7 +915,6 @@ struct SumTrace {
 namespace rooms {
 namespace exact {
 namespace {
-
 constexpr std::uint64_t hidden_bit = std::uint64_t{1} << 52;
 constexpr std::uint64_t fraction = hidden_bit - 1;
 constexpr int binades = 2098;
@@ -1026,7 +935,6 @@ constexpr int binades = 2098;
         bits >= hidden_bit ? (bits & fraction) | hidden_bit : bits << (words::countl_zero(bits) - 11);
     return significand >> (53 - gap) >= n;
 }
-
 struct Term {
     double magnitude;
     std::uint32_t next;
@@ -1034,7 +942,6 @@ struct Term {
 class Side {
  public:
     explicit Side(Term* terms) noexcept : terms_(terms) {}
-
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
     [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
     void push(std::uint32_t term) noexcept {
@@ -1059,14 +966,12 @@ class Side {
         words_ ^= bit(word, binades_[word] == 0);
         --size_;
     }
-
  private:
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     static constexpr int words = binades / 64 + 1;
     static std::uint64_t bit(int index, bool value = true) noexcept {
         return std::uint64_t{value} << (index & 63);
     }
-
     Term* terms_;
     std::size_t size_ = 0;
     std::uint64_t words_ = 0;
@@ -1085,7 +990,6 @@ class Side {
         SIGNUM_EXPECTS(std::isfinite(value));
         keep(value > 0.0 ? positive : negative, count++, std::fabs(value));
     }
-
     for (std::size_t steps = 0;; ++steps) {
         if (negative.empty()) return {positive.empty() ? 0 : +1, steps};
         if (positive.empty()) return {-1, steps};
@@ -1110,7 +1014,6 @@ class Side {
         }
     }
 }
-
 SumTrace with_memory(words::span<const double> input) noexcept {
     constexpr std::size_t on_stack = 512;
     Term few[on_stack];
@@ -1121,20 +1024,15 @@ SumTrace with_memory(words::span<const double> input) noexcept {
     Side negative(terms);
     return essa(input, terms, positive, negative);
 }
-
 }
-
 SumTrace trace_sign_of_sum(words::span<const double> terms) noexcept {
     SIGNUM_EXPECTS(terms.size() <= std::numeric_limits<std::uint32_t>::max());
     return in_ieee_environment(with_memory, terms);
 }
-
 }
-
 Sign sign_of_sum(words::span<const double> terms) noexcept {
     return exact::trace_sign_of_sum(terms).sign;
 }
-
 }
 
 // ---- single/parts/dyadic.hpp ---------------------------------------------------------------------
@@ -1157,7 +1055,6 @@ struct ComparedBySign {
 class Natural {
  public:
     using Digits = std::vector<std::uint32_t>;
-
     [[nodiscard]] static Digits of(std::uint64_t low, std::uint64_t high) {
         Digits digits = {static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(low >> 32),
                          static_cast<std::uint32_t>(high), static_cast<std::uint32_t>(high >> 32)};
@@ -1222,7 +1119,6 @@ class Natural {
         trim(result);
         return result;
     }
-
  private:
     static void trim(Digits& digits) noexcept {
         while (!digits.empty() && digits.back() == 0) digits.pop_back();
@@ -1237,7 +1133,6 @@ class Dyadic : public ComparedBySign<Dyadic> {
     using Magnitude = std::uint64_t;
 #endif
     using Digits = Natural::Digits;
-
  public:
     Dyadic() noexcept = default;
     [[gnu::noinline]] Dyadic(const Dyadic& other) noexcept = default;
@@ -1251,7 +1146,6 @@ class Dyadic : public ComparedBySign<Dyadic> {
         if (of_number.negative) small_ = -small_;
         exponent_ = of_number.exponent;
     }
-
     [[gnu::noinline]] friend Dyadic operator-(Dyadic a) noexcept {
         a.small_ = -a.small_;
         a.is_negative_ = !a.is_negative_;
@@ -1285,19 +1179,15 @@ class Dyadic : public ComparedBySign<Dyadic> {
                 a.exponent_ + b.exponent_};
     }
     friend Dyadic operator*(int a, const Dyadic& b) noexcept { return Dyadic(Small{a}, 0) * b; }
-
     [[nodiscard]] Sign sign() const noexcept {
         if (!large_.empty()) return is_negative_ ? -1 : 1;
         return static_cast<int>(small_ > 0) - static_cast<int>(small_ < 0);
     }
-
  private:
     static constexpr int most_bits = 8 * static_cast<int>(sizeof(Small)) - 1;
-
     Dyadic(Small m, int exponent) noexcept : small_(m), exponent_(exponent) {}
     Dyadic(Digits digits, bool is_negative, int exponent)
         : exponent_(exponent), is_negative_(is_negative), large_(std::move(digits)) {}
-
     [[nodiscard]] Magnitude magnitude() const noexcept {
         return small_ < 0 ? -static_cast<Magnitude>(small_) : static_cast<Magnitude>(small_);
     }
@@ -1319,14 +1209,173 @@ class Dyadic : public ComparedBySign<Dyadic> {
 #endif
         return words::bit_width(static_cast<std::uint64_t>(m));
     }
-
     Small small_ = 0;
     int exponent_ = 0;
     bool is_negative_ = false;
     Digits large_;
 };
-
 }
+
+// ---- exact/integer_rows.hpp ----------------------------------------------------------------------
+
+#if defined(__SIZEOF_INT128__)
+namespace rooms::exact {
+using Integer128 = __int128;
+template <class Square, class Cube = Integer128>
+struct Word {
+    std::int64_t value;
+    friend Square operator*(Word a, Word b) noexcept {
+        return Square{Integer128{a.value} * b.value};
+    }
+    friend Cube operator*(Word a, Integer128 b) noexcept { return Cube{a.value} * Cube{b}; }
+};
+class Integer256 {
+ public:
+    Integer256(Integer128 a) noexcept : low_(static_cast<Half>(a)), high_(a < 0 ? -1 : 0) {}
+    Integer256(Integer128 a, Integer128 b) noexcept {
+        const auto magnitude_of = [](Integer128 x) {
+            return x < 0 ? -static_cast<Half>(x) : static_cast<Half>(x);
+        };
+        const auto low_of = [](Half x) { return Half{static_cast<std::uint64_t>(x)}; };
+        const Half p = magnitude_of(a);
+        const Half q = magnitude_of(b);
+        const Half middle = low_of(p) * (q >> 64) + (p >> 64) * low_of(q);
+        low_ = low_of(p) * low_of(q);
+        high_ = static_cast<Integer128>((p >> 64) * (q >> 64) + (middle >> 64));
+        *this += {middle << 64, 0};
+        if ((a < 0) != (b < 0)) {
+            low_ = -low_;
+            high_ = -high_ - (low_ != 0 ? 1 : 0);
+        }
+    }
+    friend Integer256 operator+(Integer256 a, const Integer256& b) noexcept {
+        a += {b.low_, b.high_};
+        return a;
+    }
+    friend Integer256 operator-(const Integer256& a, const Integer256& b) noexcept {
+        return {a.low_ - b.low_, static_cast<Half>(a.high_) - static_cast<Half>(b.high_) -
+                                     (a.low_ < b.low_ ? 1 : 0)};
+    }
+    friend Integer256 operator*(const Integer256& a, const Integer256& b) noexcept {
+        const auto low_of = [](Half x) { return Half{static_cast<std::uint64_t>(x)}; };
+        const Half both_low = low_of(a.low_) * low_of(b.low_);
+        const Half first = low_of(a.low_) * (b.low_ >> 64) + (both_low >> 64);
+        const Half second = (a.low_ >> 64) * low_of(b.low_) + low_of(first);
+        return {second << 64 | low_of(both_low),
+                (a.low_ >> 64) * (b.low_ >> 64) + (first >> 64) + (second >> 64) +
+                    a.low_ * static_cast<Half>(b.high_) + static_cast<Half>(a.high_) * b.low_};
+    }
+    [[nodiscard]] Sign sign() const noexcept {
+        return high_ < 0 ? -1 : static_cast<Sign>(high_ > 0 || low_ > 0);
+    }
+ private:
+    using Half = unsigned __int128;
+    Integer256(Half low, Half high) noexcept : low_(low), high_(static_cast<Integer128>(high)) {}
+    struct Halves {
+        Half low;
+        Integer128 high;
+    };
+    void operator+=(const Halves& b) noexcept {
+        low_ += b.low;
+        high_ += b.high + (low_ < b.low ? 1 : 0);
+    }
+    Half low_;
+    Integer128 high_;
+};
+struct Factor {
+    Integer128 value;
+    friend Factor operator+(Factor a, Factor b) noexcept { return {a.value + b.value}; }
+    friend Factor operator-(Factor a, Factor b) noexcept { return {a.value - b.value}; }
+    friend Integer256 operator*(Factor a, Factor b) noexcept { return {a.value, b.value}; }
+};
+template <std::size_t d>
+class IntegerRows {
+ public:
+    struct IntegerRow {
+        std::array<std::int64_t, d> offset;
+        Integer128 weight;
+    };
+    template <class S>
+    IntegerRows(const std::array<const S*, d + 1>& sites, const S& q) noexcept {
+        TwoTerms offsets[d + 1][d];
+        double largest = 0.0;
+        for (std::size_t m = 0; m <= d; ++m) {
+            offsets[m][0] = two_difference(sites[m]->x, q.x);
+            offsets[m][1] = two_difference(sites[m]->y, q.y);
+            if constexpr (d == 3) offsets[m][2] = two_difference(sites[m]->z, q.z);
+            for (const TwoTerms& each : offsets[m]) {
+                are_exact_ &= each.low == 0.0;
+                largest = std::max(largest, std::fabs(each.high));
+            }
+        }
+        if (!are_exact_) return;
+        if constexpr (words::has_r<decltype(q)>) {
+            largest = std::max(largest, std::fabs(q.r));
+            for (const S* site : sites) largest = std::max(largest, std::fabs(site->r));
+        }
+        constexpr std::uint64_t exponent_bits = 0x7FF0'0000'0000'0000;
+        constexpr std::uint64_t sum_of_exponents = std::uint64_t{2 * 1023 + 59} << 52;
+        const double scale = words::bit_cast<double>(
+            sum_of_exponents - (words::bit_cast<std::uint64_t>(largest) & exponent_bits));
+        for (std::size_t m = 0; m <= d; ++m) {
+            for (std::size_t k = 0; k < d; ++k)
+                rows_[m].offset[k] = integer(offsets[m][k].high * scale);
+            rows_[m].weight = weight(*sites[m], q, scale);
+        }
+    }
+    [[nodiscard]] bool are_exact() const noexcept { return are_exact_; }
+    [[nodiscard]] const IntegerRow& operator[](std::size_t m) const noexcept { return rows_[m]; }
+    [[nodiscard]] bool divide_by_power_of_two(int power) noexcept {
+        std::int64_t bits = 0;
+        Integer128 weight_bits = 0;
+        for (const IntegerRow& row : rows_) {
+            for (const std::int64_t each : row.offset) bits |= each;
+            weight_bits |= row.weight;
+        }
+        const std::int64_t low = (std::int64_t{1} << power) - 1;
+        const Integer128 weight_low = (Integer128{1} << 2 * power) - 1;
+        if ((bits & low) != 0 || (weight_bits & weight_low) != 0) return false;
+        for (IntegerRow& row : rows_) {
+            for (std::int64_t& each : row.offset) each >>= power;
+            row.weight >>= 2 * power;
+        }
+        return true;
+    }
+ private:
+    [[nodiscard]] std::int64_t integer(double value) noexcept {
+        if (!(std::fabs(value) < 0x1p60)) {
+            are_exact_ = false;
+            return 0;
+        }
+        const auto result = static_cast<std::int64_t>(value);
+        are_exact_ &= static_cast<double>(result) == value;
+        return result;
+    }
+    template <class S>
+    [[nodiscard]] Integer128 weight(const S& m, const S& q, double scale) noexcept {
+        if constexpr (words::has_w<decltype(m)>) {
+            const TwoTerms difference = two_difference(m.w, q.w);
+            const double value = difference.high * scale * scale;
+            if (difference.low != 0.0 || !(std::fabs(value) < 0x1p122)) {
+                are_exact_ = false;
+                return 0;
+            }
+            const auto result = static_cast<Integer128>(value);
+            are_exact_ &= static_cast<double>(result) == value;
+            return result;
+        } else if constexpr (words::has_r<decltype(m)>) {
+            const Integer128 m_radius = integer(m.r * scale);
+            const Integer128 q_radius = integer(q.r * scale);
+            return (m_radius - q_radius) * (m_radius + q_radius);
+        } else {
+            return 0;
+        }
+    }
+    bool are_exact_ = true;
+    std::array<IntegerRow, d + 1> rows_;
+};
+}
+#endif
 
 // ---- predicates/arithmetic.hpp -------------------------------------------------------------------
 
@@ -1343,7 +1392,6 @@ enum class Arithmetic : std::uint8_t {
 [[nodiscard]] constexpr bool is_exact(Arithmetic arithmetic) noexcept {
     return arithmetic != Arithmetic::naive && arithmetic != Arithmetic::single;
 }
-
 namespace predicates {
 [[nodiscard]] constexpr bool is_filtered(Arithmetic arithmetic) noexcept {
     return arithmetic == Arithmetic::exact || arithmetic == Arithmetic::judging;
@@ -1356,16 +1404,13 @@ using NumberOf = std::conditional_t<
     if (arithmetic != Arithmetic::single) return site;
     return {static_cast<float>(site.x), static_cast<float>(site.y), static_cast<float>(site.r)};
 }
-
 }
 }
 
 // ---- predicates/ladder/decision.hpp --------------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::predicates {
-
 template <Arithmetic arithmetic, class Formula, class... Sites>
 [[nodiscard, gnu::always_inline]] inline Decision decide(const Sites&... sites) noexcept {
     if constexpr (is_filtered(arithmetic)) {
@@ -1387,15 +1432,12 @@ template <Arithmetic arithmetic, class Formula, class... Sites>
             return {0, Stage::filter};
     }
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- predicates/formulas/difference.hpp ----------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::predicates {
 template <class Number, class Operand>
 [[nodiscard, gnu::always_inline]] constexpr auto difference(const Operand& a,
@@ -1420,15 +1462,12 @@ template <class Number>
     else
         return Number(0.0);
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- predicates/formulas/orientation.hpp ---------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::predicates {
 template <class Number>
 [[nodiscard, gnu::always_inline]] constexpr auto ccw_determinant(const Number& ax, const Number& ay,
@@ -1455,15 +1494,12 @@ template <class Number>
     return b.x * (c.y * d.z - c.z * d.y) + b.y * (c.z * d.x - c.x * d.z) +
            b.z * (c.x * d.y - c.y * d.x);
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- predicates/formulas/lifted.hpp --------------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::power {
 template <class Number = double, class S>
 [[nodiscard, gnu::always_inline]] constexpr auto weight_difference(const S& m,
@@ -1480,7 +1516,6 @@ struct Row {
     Number x;
     Number y;
     Weight weight;
-
     [[nodiscard, gnu::always_inline]] constexpr auto height() const {
         return (x * x + y * y) - weight;
     }
@@ -1507,7 +1542,6 @@ template <class Number, class Weight = Number>
 struct LiftedRow {
     predicates::Offset3<Number> offset;
     Weight weight;
-
     [[nodiscard, gnu::always_inline]] constexpr auto height() const {
         const auto& [x, y, z] = offset;
         return (x * x + y * y + z * z) - weight;
@@ -1556,22 +1590,15 @@ template <class Number, class P, class S>
     return (squared_distance<Number>(p, b) - squared_distance<Number>(p, a)) +
            weight_difference<Number>(a, b);
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- predicates/ccw.hpp --------------------------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms {
-
 namespace predicates {
 inline constexpr double ccw_error = 5 * filters::epsilon;
-static_assert(ccw_determinant(filters::rounded_difference, filters::rounded_difference,
-                              filters::rounded_difference, filters::rounded_difference)
-                  .roundings == 4);
 template <class Number>
 [[nodiscard, gnu::always_inline]] constexpr filters::Compared<Number> compared_ccw(
     const Number& ax, const Number& ay, const Number& bx, const Number& by) noexcept {
@@ -1595,7 +1622,6 @@ template <class S>
 struct Ccw {
     static constexpr std::size_t origin = 2;
     static constexpr int window = 200;
-
     template <class Number, class S>
     [[nodiscard, gnu::always_inline]] static constexpr auto value(const S& a, const S& b,
                                                                   const S& c) noexcept {
@@ -1615,7 +1641,6 @@ struct Ccw {
     template <Arithmetic arithmetic>
     [[nodiscard, gnu::pure]] static Decision of_points(Point a, Point b, Point c) noexcept;
 };
-
 }
 template <class S>
 [[nodiscard]] inline Decision ccw_decision(const S& a, const S& b, const S& c) noexcept {
@@ -1633,26 +1658,20 @@ template <class S>
 [[nodiscard]] inline Sign ccw(const Point& a, const Point& b, const Point& c) noexcept {
     return ccw<Point>(a, b, c);
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- single/parts/ladder.hpp ---------------------------------------------------------------------
 
 namespace rooms::predicates {
-
 template <Arithmetic>
 using ExactNumber = exact::Dyadic;
 template <Arithmetic>
 [[nodiscard]] inline exact::Dyadic exactly(double value) {
     return exact::Dyadic(value);
 }
-
 namespace ladder {
-
 using filters::Verdict;
-
 struct Refined {
     using Number = filters::DoubleDouble;
     [[nodiscard]] static Number difference(double a, double b) noexcept {
@@ -1680,12 +1699,10 @@ struct Exactly {
     }
     [[nodiscard]] static Number zero() { return {}; }
 };
-
 [[nodiscard]] inline Verdict judged(double value, double bound) noexcept {
     if (filters::magnitude(value) > bound) return Verdict::certain(filters::sign_of_nonzero(value));
     return Verdict::uncertain();
 }
-
 template <class Formula>
 struct FilterAgain {
     static constexpr Stage stage = Stage::filter;
@@ -1721,7 +1738,6 @@ struct InExpansions<Ccw> {
         return Verdict::certain(Ccw::value<Expanded>(a, b, c).sign());
     }
 };
-
 template <class First, class... Others>
 struct Steps {
     template <class... Sites>
@@ -1734,7 +1750,6 @@ struct Steps {
 };
 template <class Formula>
 using Beyond = Steps<InExactNumbers<Formula>>;
-
 template <int exponent, class S>
 [[nodiscard]] inline bool in_window(const S& s) noexcept {
     using exact::window::contains;
@@ -1754,7 +1769,6 @@ template <Arithmetic, class Formula, class Within, class Outside, class... Sites
 [[nodiscard]] inline Decision climb(const Sites&... sites) noexcept {
     return exact::in_ieee_environment(climb_one<Formula, Within, Outside, Sites...>, sites...);
 }
-
 }
 }
 
@@ -1766,7 +1780,6 @@ class Doubted : public exact::ComparedBySign<Doubted<Number>> {
  public:
     Doubted() = default;
     Doubted(double number, bool& doubt) noexcept : number_(exactly(number)), doubt_(&doubt) {}
-
     friend Doubted operator+(const Doubted& a, const Doubted& b) noexcept {
         return {a.number_ + b.number_, a.doubt_};
     }
@@ -1784,10 +1797,8 @@ class Doubted : public exact::ComparedBySign<Doubted<Number>> {
         *doubt_ |= !verdict.is_certain();
         return verdict.is_certain() ? verdict.sign() : 0;
     }
-
  private:
     Doubted(const Number& number, bool* doubt) noexcept : number_(number), doubt_(doubt) {}
-
     [[nodiscard]] static Number exactly(double number) noexcept {
         if constexpr (words::has_exactly<Number>)
             return Number::exactly(number);
@@ -1803,31 +1814,25 @@ class Doubted : public exact::ComparedBySign<Doubted<Number>> {
         return least == sign_of(number.high) ? filters::Verdict::certain(least)
                                              : filters::Verdict::uncertain();
     }
-
     Number number_ = exactly(0.0);
     bool* doubt_ = nullptr;
 };
-
 }
 
 // ---- predicates/ccw.cpp --------------------------------------------------------------------------
 
 namespace rooms::predicates {
-
 template <Arithmetic arithmetic>
 Decision Ccw::of_points(Point a, Point b, Point c) noexcept {
     using Within = ladder::Steps<ladder::FilterAgain<Ccw>, ladder::InExpansions<Ccw>>;
     return ladder::climb<arithmetic, Ccw, Within, ladder::Beyond<Ccw>>(a, b, c);
 }
-
 }
 
 // ---- predicates/power/weight.hpp -----------------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::power {
-
 template <class S>
 [[nodiscard]] inline double weight_key(const S& s) noexcept {
     if constexpr (words::has_w<decltype(s)>)
@@ -1837,7 +1842,6 @@ template <class S>
     else
         return 0.0;
 }
-
 template <class S>
 [[nodiscard]] inline Point centre(const S& s) noexcept {
     return {s.x, s.y};
@@ -1849,19 +1853,15 @@ template <class S>
     else
         return {site.x, site.y, site.r};
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- predicates/power/in_circle.hpp --------------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::power {
 inline constexpr double in_circle_error = 13 * filters::epsilon;
 inline constexpr auto rounded_row = row<filters::RoundingCount>(rooms::Site{}, rooms::Site{});
-static_assert(in_circle_determinant(rounded_row, rounded_row, rounded_row).roundings == 12);
 template <class Number>
 [[nodiscard, gnu::always_inline]] constexpr filters::Compared<Number> compared_in_circle(
     const Row<Number>& a, const Row<Number>& b, const Row<Number>& c) noexcept {
@@ -1931,7 +1931,6 @@ template <class S>
 struct InCircle {
     static constexpr std::size_t origin = 3;
     static constexpr int window = 200;
-
     template <class Number, class S>
     [[nodiscard, gnu::always_inline]] static constexpr auto value(const S& i, const S& j,
                                                                   const S& k, const S& q) noexcept {
@@ -1957,21 +1956,14 @@ template <class S>
     SIGNUM_EXPECTS(ccw(i, j, k) > 0);
     return predicates::decide<Arithmetic::exact, InCircle>(i, j, k, q);
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- predicates/power/infinite.hpp ---------------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::power {
 inline constexpr double in_segment_error = 9 * filters::epsilon;
-static_assert(in_segment_determinant(rounded_row, rounded_row, filters::rounded_difference,
-                                     filters::rounded_difference)
-                  .roundings == 8);
-
 template <class Number>
 [[nodiscard]] constexpr filters::Compared<Number> compared_in_segment(const Row<Number>& a,
                                                                       const Row<Number>& b,
@@ -1986,7 +1978,6 @@ template <class Number>
 }
 struct InSegment {
     static constexpr int window = 200;
-
     template <class Number, class S>
     [[nodiscard, gnu::always_inline]] static constexpr auto value(const S& a, const S& b,
                                                                   const S& q) noexcept {
@@ -2003,7 +1994,6 @@ struct InSegment {
     }
     template <Arithmetic arithmetic, class S>
     [[nodiscard, gnu::pure]] static Decision behind(const S& a, const S& b, const S& q) noexcept;
-
  private:
     template <class Number, class S, class Of>
     [[nodiscard, gnu::always_inline]] static constexpr auto along(const S& a, const S& b,
@@ -2023,15 +2013,12 @@ template <class S>
 [[nodiscard]] inline Decision in_segment_decision(const S& a, const S& b, const S& q) noexcept {
     return predicates::decide<Arithmetic::exact, InSegment>(a, b, q);
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- predicates/power/infinite.cpp ---------------------------------------------------------------
 
 namespace rooms::power {
-
 template <Arithmetic arithmetic, class S>
 Decision InSegment::behind(const S& a, const S& b, const S& q) noexcept {
     namespace ladder = predicates::ladder;
@@ -2039,18 +2026,13 @@ Decision InSegment::behind(const S& a, const S& b, const S& q) noexcept {
     return ladder::climb<arithmetic, InSegment, Within,
                          ladder::Steps<ladder::InExactNumbers<InSegment>>>(a, b, q);
 }
-
 }
 
 // ---- predicates/power/edge.hpp -------------------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::power {
 inline constexpr double nearer_in_plane_error = 7 * filters::epsilon;
-static_assert(nearer_difference<filters::RoundingCount>(Point{}, rooms::Site{}, rooms::Site{})
-                  .roundings == 6);
-
 template <class Number, class S>
 [[nodiscard]] constexpr filters::Compared<Number> compared_nearer(const Point& p, const S& a,
                                                                   const S& b) noexcept {
@@ -2061,7 +2043,6 @@ template <class Number, class S>
 }
 struct Nearer {
     static constexpr int window = 200;
-
     template <class Number, class S>
     [[nodiscard, gnu::always_inline]] static constexpr auto value(const Point& p, const S& a,
                                                                   const S& b) noexcept {
@@ -2080,22 +2061,18 @@ template <class S>
 [[nodiscard]] inline Decision nearer_decision(const Point& p, const S& a, const S& b) noexcept {
     return predicates::decide<Arithmetic::exact, Nearer>(p, a, b);
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- predicates/power/edge.cpp -------------------------------------------------------------------
 
 namespace rooms::power {
-
 template <Arithmetic arithmetic, class S>
 Decision Nearer::behind(const Point& p, const S& a, const S& b) noexcept {
     namespace ladder = predicates::ladder;
     using Within = ladder::Steps<ladder::Bounded<Nearer>, ladder::InExpansions<Nearer>>;
     return ladder::climb<arithmetic, Nearer, Within, ladder::Beyond<Nearer>>(p, a, b);
 }
-
 }
 
 // ---- predicates/power/ties.hpp -------------------------------------------------------------------
@@ -2113,7 +2090,6 @@ template <class S>
                                  const std::array<Index, 4>& ranks) noexcept;
 [[nodiscard]] Sign in_segment_tie(Point a, Point b, Point q,
                                   const std::array<Index, 3>& ranks) noexcept;
-
 }
 
 // ---- predicates/power/ties.cpp -------------------------------------------------------------------
@@ -2131,17 +2107,13 @@ Sign last_nonzero(std::array<Index, n> ranks, Coefficient coefficient) noexcept 
     SIGNUM_EXPECTS(false && "the coefficient of q is not 0");
     return -1;
 }
-
 }
-
 Sign in_circle_tie(Point i, Point j, Point k, Point q, const std::array<Index, 4>& ranks) noexcept {
     return last_nonzero(ranks, [&](std::ptrdiff_t m) {
         return m == 0 ? ccw(j, k, q) : m == 1 ? ccw(k, i, q) : m == 2 ? ccw(i, j, q) : -1;
     });
 }
-
 namespace {
-
 Sign decide_in_segment(const Point& a, const Point& b, const Point& q,
                        const std::array<Index, 3>& ranks) noexcept {
     const bool along_x = a.x != b.x;
@@ -2153,13 +2125,10 @@ Sign decide_in_segment(const Point& a, const Point& b, const Point& q,
         return m == 0 ? order(q, b) * direction : m == 1 ? order(a, q) * direction : -1;
     });
 }
-
 }
-
 Sign in_segment_tie(Point a, Point b, Point q, const std::array<Index, 3>& ranks) noexcept {
     return exact::in_ieee_environment(decide_in_segment, a, b, q, ranks);
 }
-
 }
 
 // ---- predicates/power.hpp ------------------------------------------------------------------------
@@ -2202,19 +2171,16 @@ template <class S>
     const Sign sign = in_circle_infinite(a, b, q);
     return sign != 0 ? sign : in_segment_tie(centre(a), centre(b), centre(q), ranks);
 }
-
 }
 
 // ---- predicates/space/ccw.hpp --------------------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms {
 template <class S>
 [[nodiscard]] constexpr Point3 centre3(const S& s) noexcept {
     return {s.x, s.y, s.z};
 }
-
 namespace predicates {
 template <class Number>
 [[nodiscard]] inline Offset3<Number> reach(const Offset3<Number>& b, const Offset3<Number>& c,
@@ -2234,7 +2200,6 @@ template <class Number>
 }
 inline constexpr double ccw3_error = 6 * 9 * filters::epsilon;
 inline constexpr auto rounded_offset = offset<filters::RoundingCount>(Point3{}, Point3{});
-static_assert(ccw_determinant(rounded_offset, rounded_offset, rounded_offset).roundings == 8);
 template <class Number>
 [[nodiscard, gnu::always_inline]] constexpr Number bound_of_ccw(
     const Offset3<Number>& largest) noexcept {
@@ -2273,7 +2238,6 @@ template <class Number>
 struct Ccw3 {
     static constexpr std::size_t origin = 0;
     static constexpr int window = 200;
-
     template <class Number, class S>
     [[nodiscard, gnu::always_inline]] static constexpr auto value(const S& a, const S& b,
                                                                   const S& c, const S& d) noexcept {
@@ -2301,7 +2265,6 @@ struct Ccw3 {
                                                                   const Point3& c,
                                                                   const Point3& d) noexcept;
 };
-
 }
 template <class S>
 [[nodiscard]] inline Decision ccw_decision(const S& a, const S& b, const S& c,
@@ -2321,43 +2284,31 @@ template <class S>
                               const Point3& d) noexcept {
     return ccw<Point3>(a, b, c, d);
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- predicates/space/ccw.cpp --------------------------------------------------------------------
 
 namespace rooms::predicates {
-
 template <Arithmetic arithmetic>
 Decision Ccw3::of_points(const Point3& a, const Point3& b, const Point3& c,
                          const Point3& d) noexcept {
     using Within = ladder::Steps<ladder::Bounded<Ccw3>, ladder::InExpansions<Ccw3>>;
     return ladder::climb<arithmetic, Ccw3, Within, ladder::Beyond<Ccw3>>(a, b, c, d);
 }
-
 }
 
 // ---- predicates/space/in_sphere.hpp --------------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::power {
-
 inline constexpr double in_sphere_error = 18 * filters::epsilon;
 inline constexpr auto rounded_lifted_row =
     lifted_row<filters::RoundingCount>(rooms::Site3{}, rooms::Site3{});
-static_assert(in_sphere_determinant(rounded_lifted_row, rounded_lifted_row, rounded_lifted_row,
-                                    rounded_lifted_row)
-                  .roundings <= 17);
 inline constexpr double refined_in_sphere_error = 24 * 0x1p-102;
 inline constexpr LiftedRow<filters::RoundingCount> refined_lifted_row{
     {filters::RoundingCount(), filters::RoundingCount(), filters::RoundingCount()},
     filters::RoundingCount::of(1)};
-static_assert(in_sphere_determinant(refined_lifted_row, refined_lifted_row, refined_lifted_row,
-                                    refined_lifted_row)
-                  .roundings <= 12);
 template <class Number>
 [[nodiscard, gnu::always_inline]] constexpr Number bound_of_in_sphere(
     const predicates::Offset3<Number>& largest, const Number& weight) noexcept {
@@ -2432,7 +2383,6 @@ template <class S>
 struct InSphere {
     static constexpr std::size_t origin = 4;
     static constexpr int window = 150;
-
     template <class Number, class S>
     [[nodiscard, gnu::always_inline]] static constexpr auto value(const S& i, const S& j,
                                                                   const S& k, const S& l,
@@ -2461,19 +2411,14 @@ template <class S>
     SIGNUM_EXPECTS(are_finite(i, j, k, l, q));
     return in_sphere_decision(i, j, k, l, q).sign;
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- predicates/space/nearer.hpp -----------------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::power {
 inline constexpr double nearer_error = 9 * filters::epsilon;
-static_assert(nearer_difference<filters::RoundingCount>(Point3{}, rooms::Site3{}, rooms::Site3{})
-                  .roundings <= 7);
 template <class Number, class S>
 [[nodiscard, gnu::always_inline]] constexpr filters::Compared<Number> compared_nearer(
     const Point3& p, const S& a, const S& b) noexcept {
@@ -2514,28 +2459,23 @@ template <class S>
 [[nodiscard]] inline Decision nearer_decision(const Point3& p, const S& a, const S& b) noexcept {
     return predicates::decide<Arithmetic::exact, Nearer3>(p, a, b);
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- predicates/space/nearer.cpp -----------------------------------------------------------------
 
 namespace rooms::power {
-
 template <Arithmetic arithmetic, class S>
 Decision Nearer3::behind(const Point3& p, const S& a, const S& b) noexcept {
     namespace ladder = predicates::ladder;
     using Beyond = ladder::Beyond<Nearer3>;
     return ladder::climb<arithmetic, Nearer3, Beyond, Beyond>(p, a, b);
 }
-
 }
 
 // ---- predicates/additive.hpp ---------------------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::additive {
 struct Distance {
     double to_centre;
@@ -2620,15 +2560,12 @@ template <class Perturbed>
     SIGNUM_EXPECTS(are_finite(a, b, q));
     return Perturbed::in_circle_infinite(a, b, q, ranks).sign;
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- predicates/ladder/forms.hpp -----------------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::rectangular {
 struct Supremum {
     static constexpr double x[4] = {1, 0, -1, 0};
@@ -2664,7 +2601,6 @@ template <class Number>
                                          const Number& form) noexcept {
     return sum + Number(factor) * form;
 }
-
 namespace count {
 using filters::RoundingCount;
 constexpr RoundingCount form = rounded_form<Manhattan, RoundingCount>(Site{}, 0);
@@ -2673,9 +2609,6 @@ constexpr RoundingCount sum_of_eight() noexcept {
     for (int t = 0; t < 8; ++t) sum = with_term(sum, 1, form);
     return sum;
 }
-static_assert(form.roundings == 2);
-static_assert(difference_of_widths(form, form, form, form).roundings == 4);
-static_assert(sum_of_eight().roundings == 11);
 }
 template <class Directions, Arithmetic arithmetic>
 [[nodiscard]] inline Decision decide_behind(const predicates::NumberOf<arithmetic>& value,
@@ -2694,7 +2627,6 @@ inline constexpr int eight_by_four = 5;
 template <class Directions, Arithmetic arithmetic, std::size_t n>
 class Forms {
     using Number = predicates::NumberOf<arithmetic>;
-
  public:
     Forms(const std::array<const Site*, n>& sites, const std::array<Index, n>& ranks) noexcept
         : sites_(sites), ranks_(ranks) {
@@ -2745,7 +2677,6 @@ class Forms {
     [[nodiscard]] Decision decide(Sign sign) const noexcept { return {sign, stage_, tied_}; }
     void forget_ties() noexcept { tied_ = false; }
     void leave_ties() noexcept { perturbed_ = false; }
-
  private:
     [[nodiscard]] static double bound(double magnitude) noexcept {
         constexpr double everything = __builtin_huge_val();
@@ -2755,11 +2686,9 @@ class Forms {
         return magnitude < 0x1p1000 && filters::environment_is_default() ? error_of_four * magnitude
                                                                          : everything;
     }
-
     [[nodiscard]] Addend addend(int side, std::size_t m, int factor) const noexcept {
         return {sites_[m], ranks_[m], side, factor};
     }
-
     template <std::size_t count>
     [[nodiscard, gnu::cold, gnu::noinline]] Sign resolve(const Number& rounded,
                                                          const Addend (&addends)[count]) noexcept {
@@ -2770,7 +2699,6 @@ class Forms {
         tied_ = true;
         return perturbed_ ? sign_of_infinitesimals(addends, count) : 0;
     }
-
     std::array<const Site*, n> sites_;
     std::array<Index, n> ranks_;
     Number forms_[n][4];
@@ -2779,16 +2707,13 @@ class Forms {
     bool tied_ = false;
     bool perturbed_ = true;
 };
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- predicates/ladder/forms.cpp -----------------------------------------------------------------
 
 namespace rooms::rectangular {
 namespace {
-
 constexpr std::size_t most_addends = 8;
 struct Terms {
     std::array<double, 3 * most_addends> values;
@@ -2803,7 +2728,6 @@ struct Operands {
     std::array<Operand, most_addends> addends;
     std::size_t count;
 };
-
 template <class Directions>
 void add(Terms& terms, const Site& site, int side, int factor) noexcept {
     const double times = factor;
@@ -2829,7 +2753,6 @@ Decision decide_terms(const Terms& terms) noexcept {
     }
     return rounded ? by_essa() : Decision{sign_of(sum), Stage::exact};
 }
-
 template <class Directions, Arithmetic arithmetic>
 Sign sign_of_exact_numbers(const Addend* first, std::size_t count) noexcept {
     predicates::ExactNumber<arithmetic> sum;
@@ -2843,9 +2766,7 @@ Sign sign_of_exact_numbers(const Addend* first, std::size_t count) noexcept {
     }
     return sum.sign();
 }
-
 }
-
 template <class Directions, Arithmetic arithmetic>
 Decision decide_forms(const Addend* first, std::size_t count) noexcept {
     SIGNUM_EXPECTS(count <= most_addends);
@@ -2873,7 +2794,6 @@ Decision decide_forms(const Addend* first, std::size_t count) noexcept {
         },
         operands);
 }
-
 template <class Directions, Arithmetic arithmetic>
 Decision compare_distances(const Point& p, const Site& a, const Site& b) noexcept {
     const Site point{p.x, p.y, 0.0};
@@ -2895,7 +2815,6 @@ Decision compare_distances(const Point& p, const Site& a, const Site& b) noexcep
     const Sign sign = compare(b, farthest_of_b, a, farthest(a));
     return {sign, stage};
 }
-
 Sign sign_of_infinitesimals(const Addend* first, std::size_t count) noexcept {
     Index below = std::numeric_limits<Index>::max();
     for (;;) {
@@ -2910,13 +2829,11 @@ Sign sign_of_infinitesimals(const Addend* first, std::size_t count) noexcept {
         below = last;
     }
 }
-
 }
 
 // ---- predicates/rectangular/squares.hpp ----------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::rectangular {
 struct Touching {
     int open;
@@ -3020,8 +2937,6 @@ template <class Directions, class Number>
     };
     return max(along(0), along(1));
 }
-static_assert(distance_to_centre<Manhattan, filters::RoundingCount>(Point{}, Site{}).roundings ==
-              3);
 template <class Directions, Arithmetic arithmetic = Arithmetic::exact>
 struct Perturbed {
     static constexpr Arithmetic arithmetic_used = arithmetic;
@@ -3135,7 +3050,6 @@ struct Perturbed {
         if (decision.sign != 0) return decision;
         return {ranks[0] < ranks[1] ? 1 : -1, decision.stage, true};
     }
-
  private:
     using Number = predicates::NumberOf<arithmetic>;
     [[nodiscard]] static Number rounded_distance(const Point& p, const Site& m) noexcept {
@@ -3163,9 +3077,7 @@ template <class Directions>
     const Sign second = forms.compare((side + 3) & 3, 0, 2);
     return forms.decide(first < second ? first : second);
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- predicates/manhattan.hpp --------------------------------------------------------------------
@@ -3185,7 +3097,6 @@ inline constexpr auto& nearer = additive::nearer_site<Perturbed<>>;
 inline constexpr auto& in_circle_perturbed = additive::in_circle_perturbed<Perturbed<>>;
 inline constexpr auto& in_circle_infinite_perturbed =
     additive::in_circle_infinite_perturbed<Perturbed<>>;
-
 }
 
 // ---- predicates/supremum.hpp ---------------------------------------------------------------------
@@ -3205,7 +3116,6 @@ inline constexpr auto& nearer = additive::nearer_site<Perturbed<>>;
 inline constexpr auto& in_circle_perturbed = additive::in_circle_perturbed<Perturbed<>>;
 inline constexpr auto& in_circle_infinite_perturbed =
     additive::in_circle_infinite_perturbed<Perturbed<>>;
-
 }
 
 // ---- predicates/formulas/apollonius.hpp ----------------------------------------------------------
@@ -3218,14 +3128,12 @@ struct Uniform {
     using Quartic = Number;
     using Octic = Number;
 };
-
 template <class Degrees>
 struct Disc {
     typename Degrees::Linear x;
     typename Degrees::Linear y;
     typename Degrees::Linear r;
 };
-
 namespace polynomials {
 template <class Wide, class Number>
 [[nodiscard]] decltype(auto) as(const Number& number) {
@@ -3235,7 +3143,6 @@ template <class Wide, class Number>
         return Wide(number);
     }
 }
-
 template <class Number>
 [[nodiscard]] Sign sign(const Number& number) {
     if constexpr (words::has_sign<decltype(number)>) {
@@ -3276,7 +3183,6 @@ struct Row {
     typename D::Linear y;
     typename D::Linear r;
     typename D::Quadratic p;
-
     Row(const typename D::Linear& dx, const typename D::Linear& dy, const typename D::Linear& dr)
         : x(dx), y(dy), r(dr), p(dx * dx + dy * dy - dr * dr) {}
 };
@@ -3289,14 +3195,12 @@ struct Minors {
     using Quadratic = typename D::Quadratic;
     using Quartic = typename D::Quartic;
     using Octic = typename D::Octic;
-
     Row<D> j;
     Row<D> k;
     Quadratic xy;
     Quadratic xr;
     Quadratic yr;
     Quartic q;
-
     Minors(const Row<D>& row_j, const Row<D>& row_k)
         : j(row_j),
           k(row_k),
@@ -3304,7 +3208,6 @@ struct Minors {
           xr(minor<Quadratic>(j.x, j.r, k.x, k.r)),
           yr(minor<Quadratic>(j.y, j.r, k.y, k.r)),
           q(product<Quartic>(xr, xr) + product<Quartic>(yr, yr) - product<Quartic>(xy, xy)) {}
-
     [[nodiscard]] Quartic xp() const { return minor<Quartic>(j.x, j.p, k.x, k.p); }
     [[nodiscard]] Quartic yp() const { return minor<Quartic>(j.y, j.p, k.y, k.p); }
     [[nodiscard]] Quartic rp() const { return minor<Quartic>(j.r, j.p, k.r, k.p); }
@@ -3334,7 +3237,6 @@ struct Minors {
 template <class D>
 struct Triple : Minors<D> {
     typename D::Quadratic jk;
-
     Triple(const Disc<D>& i, const Disc<D>& site_j, const Disc<D>& site_k)
         : Minors<D>(row(site_j, i), row(site_k, i)), jk(power(site_j, site_k)) {}
     [[nodiscard]] bool apart() const { return this->j.p > 0 && this->k.p > 0 && jk > 0; }
@@ -3343,7 +3245,6 @@ struct Triple : Minors<D> {
 template <class D>
 struct Powers {
     typename D::Quadratic ij, ik, jk, iq, jq, kq;
-
     Powers(const Triple<D>& t, const std::array<Disc<D>, 4>& d)
         : ij(t.j.p),
           ik(t.k.p),
@@ -3357,7 +3258,6 @@ struct Powers {
                                              product<Quartic>(iq, jk)));
     }
 };
-
 }
 }
 
@@ -3417,7 +3317,6 @@ template <class D>
     if (of_q > 0) return sign(t.twice_ab()) > 0;
     return t.xy > 0 && sign(t.twice_ab()) > 0;
 }
-
 template <std::size_t n>
 [[nodiscard]] std::size_t last_of(const std::array<Index, n>& ranks, std::size_t count) {
     return static_cast<std::size_t>(
@@ -3465,7 +3364,6 @@ template <class D>
     const bool rises = product<Octic>(of_k, q.q) > product<Octic>(of_q, k.q);
     return {rises ? 1 : -1, tied};
 }
-
 template <class D>
 [[nodiscard]] Sign in_finite_circle(const Triple<D>& t, const Powers<D>& p, const Row<D>& q) {
     const Sign of_l = sign(t.l(q));
@@ -3533,15 +3431,12 @@ template <class D>
     const bool between = opposite > power(a, b) && opposite > power(d[1 - m], q);
     return {between ? -1 : 1, true};
 }
-
 }
 
 // ---- predicates/euclidean/filter.hpp -------------------------------------------------------------
 
 SIGNUM_IEEE_BEGIN
-
 namespace rooms::euclidean::filter {
-
 using filters::epsilon;
 using filters::magnitude;
 using filters::Verdict;
@@ -3552,7 +3447,6 @@ struct DifferenceOf {
     Number r;
     Number l;
     Number p;
-
     [[gnu::always_inline]] constexpr DifferenceOf(const Site& m, const Site& i) noexcept
         : x(Number(m.x) - Number(i.x)),
           y(Number(m.y) - Number(i.y)),
@@ -3566,8 +3460,6 @@ struct DifferenceOf {
 using Difference = DifferenceOf<double>;
 using CountedDifference = DifferenceOf<filters::RoundingCount>;
 inline constexpr CountedDifference counted_difference(Site{}, Site{});
-static_assert(counted_difference.p.roundings == 5);
-
 template <class... Size>
 [[nodiscard]] inline bool in_window(double first, Size... others) noexcept {
     double least = first;
@@ -3594,7 +3486,6 @@ template <class... Size>
 [[nodiscard]] inline double root_of_positive(double value) noexcept {
     return square_root(value > 0.0 ? value : 0.0);
 }
-
 [[nodiscard]] inline Verdict sign(double value, double bound) noexcept {
     if (magnitude(value) > bound)
         return Verdict::certain(filters::sign_of_nonzero(value));
@@ -3613,7 +3504,6 @@ struct TripleOf {
     Number yr;
     Number q;
     Number l_jk;
-
     [[gnu::always_inline]] constexpr TripleOf(const Site& i, const Site& site_j,
                                               const Site& site_k) noexcept
         : j(site_j, i),
@@ -3624,7 +3514,6 @@ struct TripleOf {
           yr(j.y * k.r - j.r * k.y),
           q((xr * xr + yr * yr) - xy * xy),
           l_jk(j.l * k.l) {}
-
     [[nodiscard]] bool in_window() const noexcept { return filter::in_window(j.l, k.l, jk.l); }
     [[nodiscard]] constexpr Number xp() const noexcept { return j.x * k.p - j.p * k.x; }
     [[nodiscard]] constexpr Number yp() const noexcept { return j.y * k.p - j.p * k.y; }
@@ -3653,13 +3542,9 @@ struct TripleOf {
 using Triple = TripleOf<double>;
 using CountedTriple = TripleOf<filters::RoundingCount>;
 inline constexpr CountedTriple counted_triple(Site{}, Site{}, Site{});
-static_assert(counted_triple.xy.roundings == 4 && counted_triple.q.roundings == 11);
-static_assert(counted_triple.twice_ab().roundings == 14 && counted_triple.gamma().roundings == 17);
-
 [[nodiscard]] inline Verdict sign_of_power(const Difference& m) noexcept {
     return sign(m.compared_power());
 }
-
 template <class Number>
 inline Verdict TripleOf<Number>::apart() const noexcept {
     Verdict result = Verdict::certain(1);
@@ -3716,7 +3601,6 @@ template <class Number>
                                                 const TripleOf<Number>& k) noexcept {
     return k.middle() * q.q - q.middle() * k.q;
 }
-static_assert(order_of_middles(counted_triple, counted_triple).roundings == 25);
 template <class Number>
 [[nodiscard, gnu::always_inline]] constexpr filters::Compared<Number> compared_order_of_middles(
     const TripleOf<Number>& first, const TripleOf<Number>& second) noexcept {
@@ -3766,12 +3650,8 @@ struct ConflictOf {
 using Conflict = ConflictOf<double>;
 inline constexpr ConflictOf<filters::RoundingCount> counted_conflict(counted_triple,
                                                                      counted_difference);
-static_assert(counted_conflict.a.roundings == 19 && counted_conflict.l.roundings == 8);
 inline constexpr int conflict_error_of_a = 34;
 inline constexpr int conflict_error_of_root = 22;
-static_assert(conflict_error_of_a >
-                  counted_conflict.a.roundings + counted_conflict.l.roundings + 3 &&
-              conflict_error_of_root > counted_conflict.gamma.roundings + 2);
 template <class Number>
 [[nodiscard, gnu::always_inline]] constexpr Number bound_of_conflict(const Number& m,
                                                                      const Number& l,
@@ -3819,7 +3699,6 @@ template <class Number>
 struct InfiniteConflictOf {
     Number t;
     Number cross;
-
     constexpr InfiniteConflictOf(const DifferenceOf<Number>& u,
                                  const DifferenceOf<Number>& w) noexcept
         : t(w.r * (u.x * u.x + u.y * u.y) - u.r * (u.x * w.x + u.y * w.y)),
@@ -3828,13 +3707,8 @@ struct InfiniteConflictOf {
 using InfiniteConflict = InfiniteConflictOf<double>;
 inline constexpr InfiniteConflictOf<filters::RoundingCount> counted_infinite_conflict(
     counted_difference, counted_difference);
-static_assert(counted_infinite_conflict.t.roundings == 7 &&
-              counted_infinite_conflict.cross.roundings == 4);
 inline constexpr int infinite_error_of_t = 18;
 inline constexpr int infinite_error_of_root = 10;
-static_assert(infinite_error_of_t > counted_infinite_conflict.t.roundings +
-                                        counted_infinite_conflict.cross.roundings + 3 &&
-              infinite_error_of_root > counted_difference.p.roundings + 2);
 template <class Number>
 [[nodiscard, gnu::always_inline]] constexpr Number bound_of_infinite_conflict(
     const Number& l_u, const Number& l_w, const Number& cross, const Number& root) noexcept {
@@ -3862,18 +3736,15 @@ template <class Number>
     const Number y = Number(p.y) - Number(m.y);
     return x * x + y * y;
 }
-static_assert(square_of_distance<filters::RoundingCount>(Point{}, Site{}).roundings == 4);
 [[nodiscard]] inline additive::Distance distance(const Point& p, const Site& m) noexcept {
     const Site site = filters::pinned(m);
     const double to_centre = square_root(square_of_distance<double>(filters::pinned(p), site));
     return {to_centre, to_centre + 0x1p-440, site.r};
 }
-
 [[nodiscard]] inline Verdict nearer(const Point& p, const Site& a, const Site& b) noexcept {
     return additive::nearer(distance(p, a), distance(p, b));
 }
 namespace rounded {
-
 template <class Number>
 [[nodiscard]] inline Sign in_circle(const Site& i, const Site& j, const Site& k,
                                     const Site& q) noexcept {
@@ -3888,7 +3759,6 @@ template <class Number>
         }
     return sign;
 }
-
 template <class Number>
 [[nodiscard]] inline Sign in_circle_infinite(const Site& a, const Site& b, const Site& q) noexcept {
     using Difference = DifferenceOf<Number>;
@@ -3896,12 +3766,10 @@ template <class Number>
     const InfiniteConflictOf<Number> conflict(u, Difference(q, a));
     return sign_of(conflict.t - square_root(u.p) * conflict.cross);
 }
-
 template <class Number>
 [[nodiscard]] inline Sign exists_twice(const Site& i, const Site& j, const Site& k) noexcept {
     return TripleOf<Number>(i, j, k).q < 0 ? -1 : 0;
 }
-
 template <class Number>
 [[nodiscard]] inline Sign nearer(const Point& p, const Site& a, const Site& b) noexcept {
     const auto distance = [&p](const Site& m) -> Number {
@@ -3909,21 +3777,16 @@ template <class Number>
     };
     return sign_of(distance(b) - distance(a));
 }
-
 }
-
 }
-
 SIGNUM_IEEE_END
 
 // ---- predicates/euclidean.hpp --------------------------------------------------------------------
 
 namespace rooms::euclidean {
 namespace cold {
-
 template <std::size_t n>
 using Ranks = std::array<Index, n>;
-
 [[nodiscard, gnu::cold, gnu::pure]] Decision hides(Arithmetic arithmetic, const Site& i,
                                                    const Site& q, const Ranks<2>& ranks) noexcept;
 [[nodiscard, gnu::cold, gnu::pure]] Decision nearer(Arithmetic arithmetic, const Point& p,
@@ -3951,7 +3814,6 @@ using Ranks = std::array<Index, n>;
                                                              bool a_precedes_b) noexcept;
 [[nodiscard, gnu::cold, gnu::pure]] Decision turn(Arithmetic arithmetic, const Site& a,
                                                   const Site& b, const Site& c) noexcept;
-
 }
 template <class... Others>
 [[nodiscard]] inline bool same_radius(const Site& first, const Others&... others) noexcept {
@@ -4092,7 +3954,6 @@ struct Perturbed {
         }
         return cold::nearer(arithmetic, p, a, b, ranks);
     }
-
  private:
     static constexpr bool is_filtered = predicates::is_filtered(arithmetic);
     static constexpr bool asks_points = arithmetic == Arithmetic::exact;
@@ -4124,7 +3985,6 @@ struct Perturbed {
                                           : from_a == to_b;
         return {conflict ? 1 : -1, side.stage, true};
     }
-
     [[nodiscard]] static Decision turn(const Site& a, const Site& b, const Site& c) noexcept {
         if constexpr (arithmetic == Arithmetic::exact) return ccw_decision(a, b, c);
         if constexpr (is_filtered) {
@@ -4154,17 +4014,14 @@ inline constexpr auto& nearer = additive::nearer_site<Perturbed<>>;
 inline constexpr auto& in_circle_perturbed = additive::in_circle_perturbed<Perturbed<>>;
 inline constexpr auto& in_circle_infinite_perturbed =
     additive::in_circle_infinite_perturbed<Perturbed<>>;
-
 }
 
 // ---- single/parts/stages.cpp ---------------------------------------------------------------------
 
 namespace rooms::power {
 namespace {
-
 namespace ladder = predicates::ladder;
 constexpr double refined_in_circle_error = 16 * filters::double_double_epsilon;
-
 struct Rounded {
     [[nodiscard]] static double difference(double a, double b) noexcept { return a - b; }
     [[nodiscard]] static double difference_of_squares(double a, double b) noexcept {
@@ -4172,7 +4029,6 @@ struct Rounded {
     }
     [[nodiscard]] static double zero() noexcept { return 0.0; }
 };
-
 template <class Number>
 using CircleRows = std::array<Row<Number>, 3>;
 template <class Number, class S>
@@ -4188,7 +4044,6 @@ template <class Number, class S>
     return {lifted_row<Number>(i, q), lifted_row<Number>(j, q), lifted_row<Number>(k, q),
             lifted_row<Number>(l, q)};
 }
-
 [[nodiscard, gnu::noinline]] filters::Verdict judge_circle(const CircleRows<double>& r) noexcept {
     const auto [value, bound] = compared_in_circle_finely(r[0], r[1], r[2]);
     return ladder::judged(value, bound);
@@ -4204,6 +4059,24 @@ template <class Number, class S>
 [[nodiscard, gnu::cold]] Sign sign_of_circle(const CircleRows<exact::Dyadic>& r) noexcept {
     return in_circle_determinant(r[0], r[1], r[2]).sign();
 }
+#if defined(__SIZEOF_INT128__)
+[[nodiscard, gnu::noinline]] filters::Verdict judge_circle(
+    const exact::IntegerRows<2>& given) noexcept {
+    exact::IntegerRows<2> rows = given;
+    if (!rows.are_exact()) return filters::Verdict::uncertain();
+    const auto determinant = [&](auto square) {
+        using Square = decltype(square);
+        const auto row = [&](std::size_t m) -> Row<exact::Word<Square>, Square> {
+            return {{rows[m].offset[0]}, {rows[m].offset[1]}, Square{rows[m].weight}};
+        };
+        return in_circle_determinant(row(0), row(1), row(2));
+    };
+    if (!rows.divide_by_power_of_two(30))
+        return filters::Verdict::certain(determinant(exact::Factor{0}).sign());
+    const exact::Integer128 narrow = determinant(exact::Integer128{0});
+    return filters::Verdict::certain((narrow > 0) - (narrow < 0));
+}
+#endif
 struct CircleBeyond {
     template <class S>
     [[nodiscard, gnu::cold]] static Decision climb(const S& i, const S& j, const S& k, const S& q) noexcept {
@@ -4215,6 +4088,12 @@ struct CircleWithin {
     [[nodiscard]] static Decision climb(const S& i, const S& j, const S& k, const S& q) noexcept {
         filters::Verdict verdict = judge_circle(circle_rows<Rounded>(i, j, k, q));
         if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
+#if defined(__SIZEOF_INT128__)
+        if constexpr (words::same<S, Point>) {
+            verdict = judge_circle(exact::IntegerRows<2>({&i, &j, &k}, q));
+            if (verdict.is_certain()) return {verdict.sign(), Stage::exact};
+        }
+#endif
         verdict = judge_circle(circle_rows<ladder::Refined>(i, j, k, q));
         if (verdict.is_certain()) return {verdict.sign(), Stage::refine};
         return CircleBeyond::climb(i, j, k, q);
@@ -4258,9 +4137,7 @@ struct SphereWithin {
         return SphereBeyond::climb(i, j, k, l, q);
     }
 };
-
 }
-
 template <Arithmetic arithmetic, class S>
 Decision InCircle::behind(const S& i, const S& j, const S& k, const S& q) noexcept {
     return ladder::climb<arithmetic, InCircle, CircleWithin, CircleBeyond>(i, j, k, q);
@@ -4269,12 +4146,9 @@ template <Arithmetic arithmetic, class S>
 Decision InSphere::behind(const S& i, const S& j, const S& k, const S& l, const S& q) noexcept {
     return ladder::climb<arithmetic, InSphere, SphereWithin, SphereBeyond>(i, j, k, l, q);
 }
-
 }
-
 namespace rooms::euclidean {
 namespace {
-
 template <class Number, std::size_t n, class Make>
 [[nodiscard]] std::array<Disc<Uniform<Number>>, n> discs_of(const std::array<Site, n>& sites,
                                                             const Make& make) {
@@ -4283,7 +4157,6 @@ template <class Number, std::size_t n, class Make>
         result[m] = {make(sites[m].x), make(sites[m].y), make(sites[m].r)};
     return result;
 }
-
 template <std::size_t n, class Question>
 [[nodiscard, gnu::cold]] Decision decide_exactly(const std::array<Site, n>& sites,
                                                  const Question& question) {
@@ -4312,11 +4185,8 @@ template <class Filter, class Question, class... Sites>
     }
     return decide_discs(std::array<Site, sizeof...(Sites)>{sites...}, question);
 }
-
 }
-
 namespace cold {
-
 Decision hides(Arithmetic, const Site& i, const Site& q, const Ranks<2>& ranks) noexcept {
     return decide([](const Site& m, const Site& other) { return filter::hides(m, other); },
                   [&](const auto& d) { return polynomials::hides(d, ranks); }, i, q);
@@ -4345,9 +4215,7 @@ Decision in_circle_infinite(Arithmetic, const Site& a, const Site& b, const Site
                   [&](const auto& d) { return polynomials::in_circle_infinite(d, ranks); }, a, b,
                   q);
 }
-
 }
-
 Decision in_circle_decision(const Site& i, const Site& j, const Site& k, const Site& q,
                             const std::array<Index, 4>& ranks) noexcept {
     const filters::Verdict verdict = filter::in_circle(i, j, k, q);
@@ -4367,7 +4235,6 @@ Decision in_circle_infinite_decision(const Site& a, const Site& b, const Site& q
         [](const auto& d) { return polynomials::Answer{polynomials::in_circle_infinite_touch(d)}; },
         a, b, q);
 }
-
 }
 
 }  // namespace

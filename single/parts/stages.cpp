@@ -50,6 +50,25 @@ template <class Number, class S>
 [[nodiscard, gnu::cold]] Sign sign_of_circle(const CircleRows<exact::Dyadic>& r) noexcept {
     return in_circle_determinant(r[0], r[1], r[2]).sign();
 }
+#if defined(__SIZEOF_INT128__)
+/// Of points, whose ties are those of grids (predicates/power/in_circle.cpp).
+[[nodiscard, gnu::noinline]] filters::Verdict judge_circle(
+    const exact::IntegerRows<2>& given) noexcept {
+    exact::IntegerRows<2> rows = given;
+    if (!rows.are_exact()) return filters::Verdict::uncertain();
+    const auto determinant = [&](auto square) {
+        using Square = decltype(square);
+        const auto row = [&](std::size_t m) -> Row<exact::Word<Square>, Square> {
+            return {{rows[m].offset[0]}, {rows[m].offset[1]}, Square{rows[m].weight}};
+        };
+        return in_circle_determinant(row(0), row(1), row(2));
+    };
+    if (!rows.divide_by_power_of_two(30))
+        return filters::Verdict::certain(determinant(exact::Factor{0}).sign());
+    const exact::Integer128 narrow = determinant(exact::Integer128{0});
+    return filters::Verdict::certain((narrow > 0) - (narrow < 0));
+}
+#endif
 struct CircleBeyond {
     template <class S>
     [[nodiscard, gnu::cold]] static Decision climb(const S& i, const S& j, const S& k, const S& q) noexcept {
@@ -61,6 +80,12 @@ struct CircleWithin {
     [[nodiscard]] static Decision climb(const S& i, const S& j, const S& k, const S& q) noexcept {
         filters::Verdict verdict = judge_circle(circle_rows<Rounded>(i, j, k, q));
         if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
+#if defined(__SIZEOF_INT128__)
+        if constexpr (words::same<S, Point>) {
+            verdict = judge_circle(exact::IntegerRows<2>({&i, &j, &k}, q));
+            if (verdict.is_certain()) return {verdict.sign(), Stage::exact};
+        }
+#endif
         verdict = judge_circle(circle_rows<ladder::Refined>(i, j, k, q));
         if (verdict.is_certain()) return {verdict.sign(), Stage::refine};
         return CircleBeyond::climb(i, j, k, q);
