@@ -56,6 +56,7 @@ predicates/power/ties.hpp
 predicates/power/ties.cpp
 predicates/power.hpp
 predicates/space/ccw.hpp
+single/parts/small_integers.hpp
 predicates/space/ccw.cpp
 predicates/space/in_sphere.hpp
 predicates/space/nearer.hpp

@@ -2287,6 +2287,32 @@ template <class S>
 }
 SIGNUM_IEEE_END
 
+// ---- single/parts/small_integers.hpp -------------------------------------------------------------
+
+namespace rooms::predicates {
+[[nodiscard, gnu::noinline]] inline bool are_small_integers(
+    double most, std::initializer_list<const Point3*> points) noexcept {
+    bool are_small = true;
+    for (const Point3* p : points)
+        for (const double x : {p->x, p->y, p->z})
+            are_small &= filters::magnitude(x) <= most &&
+                         static_cast<double>(static_cast<int>(x)) == x;
+    return are_small;
+}
+namespace ladder {
+template <>
+struct InExpansions<Ccw3> {
+    static constexpr Stage stage = Stage::exact;
+    [[nodiscard]] static Verdict ask(const Point3& a, const Point3& b, const Point3& c,
+                                     const Point3& d) noexcept {
+        if (are_small_integers(0x1p15, {&a, &b, &c, &d}))
+            return Verdict::certain(sign_of(Ccw3::value<double>(a, b, c, d)));
+        return InExactNumbers<Ccw3>::ask(a, b, c, d);
+    }
+};
+}
+}
+
 // ---- predicates/space/ccw.cpp --------------------------------------------------------------------
 
 namespace rooms::predicates {
@@ -4121,15 +4147,34 @@ struct SphereBeyond {
                 Stage::multiprecision};
     }
 };
+[[nodiscard, gnu::noinline]] bool are_corners_of_a_box(const Point3& i, const Point3& j,
+                                                       const Point3& k, const Point3& l,
+                                                       const Point3& q) noexcept {
+    const auto are_two = [](double a, double b, double c, double d, double one) {
+        double other = one;
+        for (const double here : {a, b, c, d}) {
+            if (here != one && other != one && here != other) return false;
+            if (here != one) other = here;
+        }
+        return true;
+    };
+    return are_two(i.x, j.x, k.x, l.x, q.x) && are_two(i.y, j.y, k.y, l.y, q.y) &&
+           are_two(i.z, j.z, k.z, l.z, q.z);
+}
 struct SphereWithin {
     template <class S>
     [[nodiscard]] static Decision climb(const S& i, const S& j, const S& k, const S& l,
                                         const S& q) noexcept {
         const auto rows = sphere_rows<Rounded>(i, j, k, l, q);
         const double size = size_of_sphere(rows);
-        filters::Verdict verdict =
-            ladder::judged(determinant_of_sphere(rows), in_sphere_error * size);
+        const double value = determinant_of_sphere(rows);
+        filters::Verdict verdict = ladder::judged(value, in_sphere_error * size);
         if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
+        if constexpr (words::same<S, Point3>) {
+            if (predicates::are_small_integers(0x1p8, {&i, &j, &k, &l, &q}))
+                return {sign_of(value), Stage::exact};
+            if (are_corners_of_a_box(i, j, k, l, q)) return {0, Stage::exact};
+        }
         verdict = ladder::judged(
             determinant_of_sphere(sphere_rows<ladder::Refined>(i, j, k, l, q)),
             refined_in_sphere_error * size);

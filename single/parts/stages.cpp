@@ -115,15 +115,36 @@ struct SphereBeyond {
                 Stage::multiprecision};
     }
 };
+/// Whether five points have no more than two coordinates along each axis: corners of a box, which
+/// lie on one sphere.
+[[nodiscard, gnu::noinline]] bool are_corners_of_a_box(const Point3& i, const Point3& j,
+                                                       const Point3& k, const Point3& l,
+                                                       const Point3& q) noexcept {
+    const auto are_two = [](double a, double b, double c, double d, double one) {
+        double other = one;
+        for (const double here : {a, b, c, d}) {
+            if (here != one && other != one && here != other) return false;
+            if (here != one) other = here;
+        }
+        return true;
+    };
+    return are_two(i.x, j.x, k.x, l.x, q.x) && are_two(i.y, j.y, k.y, l.y, q.y) &&
+           are_two(i.z, j.z, k.z, l.z, q.z);
+}
 struct SphereWithin {
     template <class S>
     [[nodiscard]] static Decision climb(const S& i, const S& j, const S& k, const S& l,
                                         const S& q) noexcept {
         const auto rows = sphere_rows<Rounded>(i, j, k, l, q);
         const double size = size_of_sphere(rows);
-        filters::Verdict verdict =
-            ladder::judged(determinant_of_sphere(rows), in_sphere_error * size);
+        const double value = determinant_of_sphere(rows);
+        filters::Verdict verdict = ladder::judged(value, in_sphere_error * size);
         if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
+        if constexpr (words::same<S, Point3>) {
+            if (predicates::are_small_integers(0x1p8, {&i, &j, &k, &l, &q}))
+                return {sign_of(value), Stage::exact};
+            if (are_corners_of_a_box(i, j, k, l, q)) return {0, Stage::exact};
+        }
         verdict = ladder::judged(
             determinant_of_sphere(sphere_rows<ladder::Refined>(i, j, k, l, q)),
             refined_in_sphere_error * size);
