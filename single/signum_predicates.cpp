@@ -4350,6 +4350,23 @@ template <class... S, class Filter, class Predicate, class... Numbers>
     if (verdict.is_certain()) return verdict.sign();
     return answer_behind<S...>(predicate, numbers...);
 }
+template <class Ask>
+int answer_batch(std::initializer_list<const double*> rows, std::size_t count, int8_t* signs,
+                 const Ask& ask) noexcept {
+    if (count == 0) return 0;
+    if (signs == nullptr) return SIGNUM_NO_SIGN;
+    const double* at[4] = {};
+    std::size_t operands = 0;
+    for (const double* each : rows) {
+        if (!are_there({{each, 2 * count}})) return SIGNUM_NO_SIGN;
+        at[operands++] = each;
+    }
+    for (std::size_t m = 0; m < count; ++m) {
+        signs[m] = static_cast<int8_t>(ask(at));
+        for (std::size_t o = 0; o < operands; ++o) at[o] += 2;
+    }
+    return 0;
+}
 #define SIGNUM_IN_METRIC(metric, call)            \
     switch (metric) {                             \
         case SIGNUM_POWER: {                      \
@@ -4513,6 +4530,19 @@ int signum_nearer_space(const double* p, const double* a, const double* b) {
             return rooms::power::nearer_decision(x, y, z).sign;
         },
         p, a, b);
+}
+
+int signum_ccw_batch(const double* a, const double* b, const double* c, size_t count,
+                     int8_t* signs) {
+    return answer_batch({a, b, c}, count, signs, [](const double* const* p) {
+        return signum_ccw(p[0], p[1], p[2]);
+    });
+}
+int signum_in_circle_points_batch(const double* i, const double* j, const double* k,
+                                  const double* q, size_t count, int8_t* signs) {
+    return answer_batch({i, j, k, q}, count, signs, [](const double* const* p) {
+        return signum_in_circle_points(p[0], p[1], p[2], p[3]);
+    });
 }
 
 int signum_sign_of_sum(const double* terms, size_t count) {

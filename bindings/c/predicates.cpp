@@ -1,9 +1,11 @@
 /// The predicates of signum.h: each looks at what it is given, and asks the one of its metric.
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 #include "../../exact/sign_of_sum.hpp"
+#include "../../predicates/batch.hpp"
 #include "../../triangulation/kernels/predicates_of.hpp"
 #include "boundary.hpp"
 
@@ -53,6 +55,24 @@ constexpr auto ccw_of_space = [](const Point3& a, const Point3& b, const Point3&
 constexpr auto nearer_in_space = [](const Point3& p, const Site3& a, const Site3& b) noexcept {
     return power::nearer_decision(p, a, b).sign;
 };
+
+/// Of rows of two numbers.
+template <std::size_t n, class Ask>
+[[nodiscard]] int answer_batch(const Ask& ask, const std::array<const double*, n>& rows,
+                               std::size_t count, std::int8_t* signs) noexcept {
+    if (count == 0) return 0;
+    if (signs == nullptr) return SIGNUM_NO_SIGN;
+    std::array<StridedSites, n> sites;
+    for (std::size_t m = 0; m < n; ++m) {
+        if (rows[m] == nullptr) return SIGNUM_NO_SIGN;
+        const std::span<const double> numbers(rows[m], 2 * count);
+        if (!std::ranges::all_of(numbers, [](double x) { return x - x == 0.0; }))
+            return SIGNUM_NO_SIGN;
+        sites[m] = StridedSites(std::span(reinterpret_cast<const Point*>(rows[m]), count));
+    }
+    ask(sites, {signs, count});
+    return 0;
+}
 
 }  // namespace
 }  // namespace signum::c
@@ -143,6 +163,23 @@ int signum_hidden_space(signum_metric metric, const double* q, const double* i) 
 }
 int signum_nearer_space(const double* p, const double* a, const double* b) {
     return answer(+c::nearer_in_space, p, a, b);
+}
+
+int signum_ccw_batch(const double* a, const double* b, const double* c, size_t count,
+                     int8_t* signs) {
+    return c::answer_batch(
+        [](const auto& sites, std::span<std::int8_t> to) {
+            ccw_batch(sites[0], sites[1], sites[2], to);
+        },
+        std::array{a, b, c}, count, signs);
+}
+int signum_in_circle_points_batch(const double* i, const double* j, const double* k,
+                                  const double* q, size_t count, int8_t* signs) {
+    return c::answer_batch(
+        [](const auto& sites, std::span<std::int8_t> to) {
+            power::in_circle_batch(sites[0], sites[1], sites[2], sites[3], to);
+        },
+        std::array{i, j, k, q}, count, signs);
 }
 
 int signum_sign_of_sum(const double* terms, size_t count) {

@@ -178,6 +178,15 @@ int signum_hidden_space(signum_metric metric, const double q[4], const double i[
 /// otherwise.
 int signum_nearer_space(const double p[3], const double a[4], const double b[4]);
 
+/// signs[m] = signum_ccw of row m of a, b and c, for `count` rows of two numbers each, by vectors
+/// where the library has them. SIGNUM_NO_SIGN, and nothing is written, for a null pointer or a
+/// number that is not finite; 0 otherwise. O(count).
+int signum_ccw_batch(const double* a, const double* b, const double* c, size_t count,
+                     int8_t* signs);
+/// The same of signum_in_circle_points.
+int signum_in_circle_points_batch(const double* i, const double* j, const double* k,
+                                  const double* q, size_t count, int8_t* signs);
+
 /// The sign of terms[0] + terms[1] + ..., fewer than 2^32 of them. O(count log count) at most;
 /// allocates only above 512 terms, and where it cannot the program ends.
 int signum_sign_of_sum(const double* terms, size_t count);

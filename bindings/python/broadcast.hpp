@@ -5,11 +5,13 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "../../core/strided_sites.hpp"
 #include "arrays.hpp"
 #include "watched.hpp"
 
@@ -78,6 +80,30 @@ class Broadcast {
         }
     }
 
+    /// The same of points, one axis of rows: batch(sites of each operand, signs). False, and nothing
+    /// is done, where there are more axes or none, or a number is not finite.
+    template <class Batch>
+    [[nodiscard]] bool as_batch(py::object& answer, const Batch& batch) const {
+        if (shape_.size() != 1) return false;
+        const auto size = static_cast<std::size_t>(shape_[0]);
+        std::array<StridedSites, n> sites;
+        bool are_finite = true;
+        py::array_t<std::int8_t> result(shape_);
+        const std::span<std::int8_t> signs(result.mutable_data(), size);
+        watched([&](Watch&) {
+            for (std::size_t i = 0; i < n; ++i) {
+                Row row = rows_[i];
+                const auto* const x = reinterpret_cast<const double*>(row.first);
+                const auto* const y = reinterpret_cast<const double*>(row.first + row.stride);
+                sites[i] = StridedSites(size, steps_[i][0], x, y);
+                for (std::size_t m = 0; m < size && are_finite; ++m, row.first += steps_[i][0])
+                    are_finite = row.is_finite();
+            }
+            if (are_finite) batch(sites, signs);
+        });
+        if (are_finite) answer = std::move(result);
+        return are_finite;
+    }
     /// function(rows) for all, in C order, with the interpreter free: an array, or a plain number
     /// where there is one row. Throws ValueError, naming the place, for a number that is not finite
     /// and for what the function throws as std::invalid_argument.

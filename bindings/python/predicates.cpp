@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "../../exact/sign_of_sum.hpp"
+#include "../../predicates/batch.hpp"
 #include "../../motion/meeting_time.hpp"
 #include "../../triangulation/kernels/predicates_of.hpp"
 #include "broadcast.hpp"
@@ -100,9 +101,14 @@ py::object in_plane(const std::string& metric, const std::string& weight_is,
 
 py::object ccw_of(const py::object& a, const py::object& b, const py::object& c,
                   const py::object& d) {
-    if (d.is_none())
-        return Broadcast<3>({a, b, c}, operands("abc", 2, 2))(
+    if (d.is_none()) {
+        const Broadcast<3> all({a, b, c}, operands("abc", 2, 2));
+        py::object signs;
+        if (all.as_batch(signs, [](const auto& s, auto to) { ccw_batch(s[0], s[1], s[2], to); }))
+            return signs;
+        return all(
             [](const auto& r) { return ccw(as<Point>(r[0]), as<Point>(r[1]), as<Point>(r[2])); });
+    }
     return Broadcast<4>({a, b, c, d}, operands("abcd", 3, 3))([](const auto& r) {
         return ccw(as<Point3>(r[0]), as<Point3>(r[1]), as<Point3>(r[2]), as<Point3>(r[3]));
     });

@@ -19,6 +19,20 @@ static void of_the_plane(void) {
     EXPECT(signum_ccw(b, a, c) == -1);
     EXPECT(signum_ccw(a, b, beyond) == 0);
     EXPECT(signum_ccw(tied, far, beside) == 1);
+    {
+        const double rows[] = {0, 0, 4, 0, 0, 3};
+        const double ends[] = {1, 0, 4, 1, 9, 9};
+        const double last[] = {0, 1, 4, 5, 0, 0};
+        const double inside[] = {0.25, 0.25, 0, 0, 1, 1};
+        int8_t signs[3] = {7, 7, 7};
+        EXPECT(signum_ccw_batch(rows, ends, last, 3, signs) == 0);
+        for (int m = 0; m < 3; ++m)
+            EXPECT(signs[m] == signum_ccw(rows + 2 * m, ends + 2 * m, last + 2 * m));
+        EXPECT(signum_in_circle_points_batch(rows, ends, last, inside, 1, signs) == 0 && signs[0] == 1);
+        EXPECT(signum_ccw_batch(rows, ends, NULL, 3, signs) == SIGNUM_NO_SIGN);
+        EXPECT(signum_ccw_batch(rows, nothing, last, 1, signs) == SIGNUM_NO_SIGN);
+        EXPECT(signum_ccw_batch(NULL, NULL, NULL, 0, NULL) == 0);
+    }
     EXPECT(signum_ccw(a, b, NULL) == SIGNUM_NO_SIGN);
     EXPECT(signum_ccw(a, nothing, c) == SIGNUM_NO_SIGN);
 
