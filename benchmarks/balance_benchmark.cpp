@@ -78,8 +78,9 @@ int main(int count, char** words) {
         const std::size_t each = count > 1 ? std::stoul(words[1]) : 250'000;
         const std::size_t parts = count > 2 ? std::stoul(words[2]) : 8;
         fmt::print("{} parts of {} sites, processor time\n\n", parts, each);
-        fmt::print("| metric | sites | one part, s | mean, s | busiest, s | busiest / mean | "
-                   "balance |\n|---|---|--:|--:|--:|--:|--:|\n");
+        fmt::print(
+            "| metric | sites | one part, s | mean, s | busiest, s | busiest / mean | "
+            "balance |\n|---|---|--:|--:|--:|--:|--:|\n");
         for (const bool are_clustered : {false, true}) {
             for (const double radius : {0.0, 0.01})
                 for (const Metric metric : all_metrics)

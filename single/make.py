@@ -204,7 +204,7 @@ def c_declarations():
 
 def made_header(version):
     text = (ROOT / "single/parts/header.hpp").read_text()
-    text = text.replace("@C_DECLARATIONS@", c_declarations().strip())
+    text = text.replace("// C_DECLARATIONS", c_declarations().strip())
     return NOTICE.format(version=version) + text
 
 

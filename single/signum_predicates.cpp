@@ -24,7 +24,8 @@
 #error "signum needs C++17: compile with -std=c++17"
 #endif
 #if !defined(__GNUC__)
-#error "signum needs GCC or Clang (on Windows MinGW or clang), for it tells their optimizers what must not move"
+#error \
+    "signum needs GCC or Clang (on Windows MinGW or clang), for it tells their optimizers what must not move"
 #endif
 #if !defined(__SSE2__) && (defined(__i386__) || defined(__x86_64__))
 #error "signum needs SSE2: compile with -msse2 -mfpmath=sse"
@@ -57,12 +58,12 @@ template <class T>
 using Bare = std::remove_cv_t<std::remove_reference_t<T>>;
 template <class A, class B>
 inline constexpr bool same = std::is_same_v<A, B>;
-#define SIGNUM_MEMBER(name)                                                                       \
-    template <class T, class = void>                                                              \
-    struct Has_##name : std::false_type {};                                                       \
-    template <class T>                                                                            \
-    struct Has_##name<T, std::void_t<decltype(&T::name)>> : std::true_type {};                    \
-    template <class T>                                                                            \
+#define SIGNUM_MEMBER(name)                                                    \
+    template <class T, class = void>                                           \
+    struct Has_##name : std::false_type {};                                    \
+    template <class T>                                                         \
+    struct Has_##name<T, std::void_t<decltype(&T::name)>> : std::true_type {}; \
+    template <class T>                                                         \
     inline constexpr bool has_##name = Has_##name<Bare<T>>::value;
 SIGNUM_MEMBER(z)
 SIGNUM_MEMBER(r)
@@ -1171,14 +1172,18 @@ class Dyadic : public ComparedBySign<Dyadic> {
     [[gnu::noinline]] friend Dyadic operator-(const Dyadic& a, const Dyadic& b) noexcept {
         return a + -b;
     }
-    Dyadic& operator+=(const Dyadic& other) noexcept { return *this = *this + other; }
+    Dyadic& operator+=(const Dyadic& other) noexcept {
+        return *this = *this + other;
+    }
     [[gnu::noinline]] friend Dyadic operator*(const Dyadic& a, const Dyadic& b) noexcept {
         if (a.bits() + b.bits() <= most_bits)
             return {a.small_ * b.small_, a.exponent_ + b.exponent_};
         return {Natural::product(a.digits(), b.digits()), (a.sign() < 0) != (b.sign() < 0),
                 a.exponent_ + b.exponent_};
     }
-    friend Dyadic operator*(int a, const Dyadic& b) noexcept { return Dyadic(Small{a}, 0) * b; }
+    friend Dyadic operator*(int a, const Dyadic& b) noexcept {
+        return Dyadic(Small{a}, 0) * b;
+    }
     [[nodiscard]] Sign sign() const noexcept {
         if (!large_.empty()) return is_negative_ ? -1 : 1;
         return static_cast<int>(small_ > 0) - static_cast<int>(small_ < 0);
@@ -2295,8 +2300,8 @@ namespace rooms::predicates {
     bool are_small = true;
     for (const Point3* p : points)
         for (const double x : {p->x, p->y, p->z})
-            are_small &= filters::magnitude(x) <= most &&
-                         static_cast<double>(static_cast<int>(x)) == x;
+            are_small &=
+                filters::magnitude(x) <= most && static_cast<double>(static_cast<int>(x)) == x;
     return are_small;
 }
 namespace ladder {
@@ -4079,8 +4084,9 @@ template <class Number, class S>
     const auto high = [&](std::size_t m) -> Row<double> {
         return {r[m].x.high, r[m].y.high, r[m].weight.high};
     };
-    return ladder::judged(in_circle_determinant(r[0], r[1], r[2]).high,
-                          refined_in_circle_error * determinant_magnitude(high(0), high(1), high(2)));
+    return ladder::judged(
+        in_circle_determinant(r[0], r[1], r[2]).high,
+        refined_in_circle_error * determinant_magnitude(high(0), high(1), high(2)));
 }
 [[nodiscard, gnu::cold]] Sign sign_of_circle(const CircleRows<exact::Dyadic>& r) noexcept {
     return in_circle_determinant(r[0], r[1], r[2]).sign();
@@ -4105,7 +4111,8 @@ template <class Number, class S>
 #endif
 struct CircleBeyond {
     template <class S>
-    [[nodiscard, gnu::cold]] static Decision climb(const S& i, const S& j, const S& k, const S& q) noexcept {
+    [[nodiscard, gnu::cold]] static Decision climb(const S& i, const S& j, const S& k,
+                                                   const S& q) noexcept {
         return {sign_of_circle(circle_rows<ladder::Exactly>(i, j, k, q)), Stage::multiprecision};
     }
 };
@@ -4142,9 +4149,8 @@ struct CircleWithin {
 struct SphereBeyond {
     template <class S>
     [[nodiscard, gnu::cold]] static Decision climb(const S& i, const S& j, const S& k, const S& l,
-                                        const S& q) noexcept {
-        return {sign_of_sphere(sphere_rows<ladder::Exactly>(i, j, k, l, q)),
-                Stage::multiprecision};
+                                                   const S& q) noexcept {
+        return {sign_of_sphere(sphere_rows<ladder::Exactly>(i, j, k, l, q)), Stage::multiprecision};
     }
 };
 [[nodiscard, gnu::noinline]] bool are_corners_of_a_box(const Point3& i, const Point3& j,
@@ -4175,9 +4181,8 @@ struct SphereWithin {
                 return {sign_of(value), Stage::exact};
             if (are_corners_of_a_box(i, j, k, l, q)) return {0, Stage::exact};
         }
-        verdict = ladder::judged(
-            determinant_of_sphere(sphere_rows<ladder::Refined>(i, j, k, l, q)),
-            refined_in_sphere_error * size);
+        verdict = ladder::judged(determinant_of_sphere(sphere_rows<ladder::Refined>(i, j, k, l, q)),
+                                 refined_in_sphere_error * size);
         if (verdict.is_certain()) return {verdict.sign(), Stage::refine};
         return SphereBeyond::climb(i, j, k, l, q);
     }
@@ -4205,8 +4210,8 @@ template <class Number, std::size_t n, class Make>
 template <std::size_t n, class Question>
 [[nodiscard, gnu::cold]] Decision decide_exactly(const std::array<Site, n>& sites,
                                                  const Question& question) {
-    const auto answer = question(discs_of<exact::Dyadic>(
-        sites, [](double number) { return exact::Dyadic(number); }));
+    const auto answer = question(
+        discs_of<exact::Dyadic>(sites, [](double number) { return exact::Dyadic(number); }));
     return {answer.sign, Stage::multiprecision, answer.tied};
 }
 template <std::size_t n, class Question>
@@ -4246,19 +4251,20 @@ Decision nearer(Arithmetic, const Point& p, const Site& a, const Site& b,
 }
 Decision exists(Arithmetic, const Site& i, const Site& j, const Site& k,
                 const Ranks<3>& ranks) noexcept {
-    return decide(filter::exists, [&](const auto& d) { return polynomials::exists(d, ranks); }, i,
-                  j, k);
+    return decide(
+        filter::exists, [&](const auto& d) { return polynomials::exists(d, ranks); }, i, j, k);
 }
 Decision in_circle(Arithmetic, const Site& i, const Site& j, const Site& k, const Site& q,
                    const Ranks<4>& ranks) noexcept {
-    return decide(filter::in_circle,
-                  [&](const auto& d) { return polynomials::in_circle(d, ranks); }, i, j, k, q);
+    return decide(
+        filter::in_circle, [&](const auto& d) { return polynomials::in_circle(d, ranks); }, i, j, k,
+        q);
 }
 Decision in_circle_infinite(Arithmetic, const Site& a, const Site& b, const Site& q,
                             const Ranks<3>& ranks) noexcept {
-    return decide(filter::in_circle_infinite,
-                  [&](const auto& d) { return polynomials::in_circle_infinite(d, ranks); }, a, b,
-                  q);
+    return decide(
+        filter::in_circle_infinite,
+        [&](const auto& d) { return polynomials::in_circle_infinite(d, ranks); }, a, b, q);
 }
 }
 Decision in_circle_decision(const Site& i, const Site& j, const Site& k, const Site& q,
@@ -4267,9 +4273,7 @@ Decision in_circle_decision(const Site& i, const Site& j, const Site& k, const S
     if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
     return decide(
         filter::in_circle,
-        [&](const auto& d) {
-            return polynomials::Answer{polynomials::in_circle_touch(d, ranks)};
-        },
+        [&](const auto& d) { return polynomials::Answer{polynomials::in_circle_touch(d, ranks)}; },
         i, j, k, q);
 }
 Decision in_circle_infinite_decision(const Site& a, const Site& b, const Site& q) noexcept {
@@ -4342,8 +4346,7 @@ template <class... S, class Predicate, class... Numbers>
     return answer<S...>(predicate, numbers...);
 }
 template <class... S, class Filter, class Predicate, class... Numbers>
-[[gnu::always_inline]] inline int answer_filtered(const Filter& filter,
-                                                  const Predicate& predicate,
+[[gnu::always_inline]] inline int answer_filtered(const Filter& filter, const Predicate& predicate,
                                                   const Numbers*... numbers) noexcept {
     if (!((numbers != nullptr) && ...)) return SIGNUM_NO_SIGN;
     const rooms::filters::Verdict verdict = filter(Of<S>::from(numbers)...);
@@ -4367,26 +4370,26 @@ int answer_batch(std::initializer_list<const double*> rows, std::size_t count, i
     }
     return 0;
 }
-#define SIGNUM_IN_METRIC(metric, call)            \
-    switch (metric) {                             \
-        case SIGNUM_POWER: {                      \
-            namespace in = rooms::power;          \
-            return call;                          \
-        }                                         \
-        case SIGNUM_EUCLIDEAN: {                  \
-            namespace in = rooms::euclidean;      \
-            return call;                          \
-        }                                         \
-        case SIGNUM_MANHATTAN: {                  \
-            namespace in = rooms::manhattan;      \
-            return call;                          \
-        }                                         \
-        case SIGNUM_SUPREMUM: {                   \
-            namespace in = rooms::supremum;       \
-            return call;                          \
-        }                                         \
-        default:                                  \
-            return SIGNUM_NO_SIGN;                \
+#define SIGNUM_IN_METRIC(metric, call)       \
+    switch (metric) {                        \
+        case SIGNUM_POWER: {                 \
+            namespace in = rooms::power;     \
+            return call;                     \
+        }                                    \
+        case SIGNUM_EUCLIDEAN: {             \
+            namespace in = rooms::euclidean; \
+            return call;                     \
+        }                                    \
+        case SIGNUM_MANHATTAN: {             \
+            namespace in = rooms::manhattan; \
+            return call;                     \
+        }                                    \
+        case SIGNUM_SUPREMUM: {              \
+            namespace in = rooms::supremum;  \
+            return call;                     \
+        }                                    \
+        default:                             \
+            return SIGNUM_NO_SIGN;           \
     }
 
 using rooms::predicates::Ccw;
@@ -4418,14 +4421,17 @@ int signum_ccw(const double* a, const double* b, const double* c) {
         a, b, c);
 }
 int signum_exists(signum_metric metric, const double* i, const double* j, const double* k) {
-    SIGNUM_IN_METRIC(metric, (answer<S, S, S>(
-        [](const S& x, const S& y, const S& z) { return in::exists(x, y, z); }, i, j, k)))
+    SIGNUM_IN_METRIC(
+        metric,
+        (answer<S, S, S>([](const S& x, const S& y, const S& z) { return in::exists(x, y, z); }, i,
+                         j, k)))
 }
 int signum_in_circle(signum_metric metric, const double* i, const double* j, const double* k,
                      const double* q) {
-    SIGNUM_IN_METRIC(metric, (answer<S, S, S, S>(
-        [](const S& x, const S& y, const S& z, const S& t) { return in::in_circle(x, y, z, t); }, i,
-        j, k, q)))
+    SIGNUM_IN_METRIC(metric,
+                     (answer<S, S, S, S>([](const S& x, const S& y, const S& z,
+                                            const S& t) { return in::in_circle(x, y, z, t); },
+                                         i, j, k, q)))
 }
 int signum_in_circle_points(const double* i, const double* j, const double* k, const double* q) {
     return answer_filtered<P, P, P, P>(
@@ -4449,9 +4455,10 @@ int signum_in_circle_weights(const double* i, const double* j, const double* k, 
 }
 int signum_in_circle_infinite(signum_metric metric, const double* a, const double* b,
                               const double* q) {
-    SIGNUM_IN_METRIC(metric, (answer<S, S, S>(
-        [](const S& x, const S& y, const S& z) { return in::in_circle_infinite(x, y, z); }, a, b,
-        q)))
+    SIGNUM_IN_METRIC(metric,
+                     (answer<S, S, S>([](const S& x, const S& y,
+                                         const S& z) { return in::in_circle_infinite(x, y, z); },
+                                      a, b, q)))
 }
 int signum_in_circle_infinite_points(const double* a, const double* b, const double* q) {
     return answer<P, P, P>(rooms::power::in_circle_infinite<P>, a, b, q);
@@ -4463,30 +4470,34 @@ int signum_in_circle_perturbed(signum_metric metric, const double* i, const doub
                                const double* k, const double* q, const int32_t* ranks) {
     if (ranks == nullptr) return SIGNUM_NO_SIGN;
     SIGNUM_IN_METRIC(metric, (answer<S, S, S, S>(
-        [&](const S& x, const S& y, const S& z, const S& t) {
-            return in::in_circle_perturbed(x, y, z, t, ranks_from<4>(ranks));
-        },
-        i, j, k, q)))
+                                 [&](const S& x, const S& y, const S& z, const S& t) {
+                                     return in::in_circle_perturbed(x, y, z, t,
+                                                                    ranks_from<4>(ranks));
+                                 },
+                                 i, j, k, q)))
 }
 int signum_in_circle_infinite_perturbed(signum_metric metric, const double* a, const double* b,
                                         const double* q, const int32_t* ranks) {
     if (ranks == nullptr) return SIGNUM_NO_SIGN;
     SIGNUM_IN_METRIC(metric, (answer<S, S, S>(
-        [&](const S& x, const S& y, const S& z) {
-            return in::in_circle_infinite_perturbed(x, y, z, ranks_from<3>(ranks));
-        },
-        a, b, q)))
+                                 [&](const S& x, const S& y, const S& z) {
+                                     return in::in_circle_infinite_perturbed(x, y, z,
+                                                                             ranks_from<3>(ranks));
+                                 },
+                                 a, b, q)))
 }
 int signum_hidden(signum_metric metric, const double* q, const double* i) {
-    SIGNUM_IN_METRIC(metric, (answer<S, S>(
-        [](const S& x, const S& y) { return in::hidden(x, y); }, q, i)))
+    SIGNUM_IN_METRIC(metric,
+                     (answer<S, S>([](const S& x, const S& y) { return in::hidden(x, y); }, q, i)))
 }
 int signum_hidden_weights(const double* q, const double* i) {
     return answer<W, W>(rooms::power::hidden<W>, q, i);
 }
 int signum_nearer(signum_metric metric, const double* p, const double* a, const double* b) {
-    SIGNUM_IN_METRIC(metric, (answer<P, S, S>(
-        [](const P& x, const S& y, const S& z) { return in::nearer(x, y, z); }, p, a, b)))
+    SIGNUM_IN_METRIC(
+        metric,
+        (answer<P, S, S>([](const P& x, const S& y, const S& z) { return in::nearer(x, y, z); }, p,
+                         a, b)))
 }
 int signum_nearer_weights(const double* p, const double* a, const double* b) {
     return answer<P, W, W>(rooms::power::nearer<W>, p, a, b);
@@ -4534,9 +4545,8 @@ int signum_nearer_space(const double* p, const double* a, const double* b) {
 
 int signum_ccw_batch(const double* a, const double* b, const double* c, size_t count,
                      int8_t* signs) {
-    return answer_batch({a, b, c}, count, signs, [](const double* const* p) {
-        return signum_ccw(p[0], p[1], p[2]);
-    });
+    return answer_batch({a, b, c}, count, signs,
+                        [](const double* const* p) { return signum_ccw(p[0], p[1], p[2]); });
 }
 int signum_in_circle_points_batch(const double* i, const double* j, const double* k,
                                   const double* q, size_t count, int8_t* signs) {

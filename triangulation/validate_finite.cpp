@@ -91,9 +91,9 @@ Reference reference_of(const Plane& of, const ValidationOptions& options) {
 }
 template <class S>
 Reference reference_of(const Space<S>& of, const ValidationOptions& options) {
-    return {triangulate(of.sites, Power{}, {.threads = options.threads, .stop = options.stop})
-                .hidden,
-            {}};
+    return {
+        triangulate(of.sites, Power{}, {.threads = options.threads, .stop = options.stop}).hidden,
+        {}};
 }
 
 /// The judgement of validate() about the faces with those at infinity, which follow them.
@@ -214,8 +214,8 @@ class Judge {
         Face& face = faces_[f];
         const Sign turn = of_.turn(face);
         if (turn == 0) {
-            blame(f, FiniteFault::flat, corners == 3 ? "its sites lie on a line"
-                                                     : "its sites lie in a plane");
+            blame(f, FiniteFault::flat,
+                  corners == 3 ? "its sites lie on a line" : "its sites lie in a plane");
             return;
         }
         if (turn < 0) std::swap(face[corners - 2], face[corners - 1]);
@@ -296,9 +296,8 @@ class Judge {
                 result_.faults.push_back({static_cast<std::int64_t>(g), FiniteFault::conflict});
             }
         }
-        has_been_glued_ = std::ranges::none_of(result_.faults, [](const auto& each) {
-            return each.fault != FiniteFault::conflict;
-        });
+        has_been_glued_ = std::ranges::none_of(
+            result_.faults, [](const auto& each) { return each.fault != FiniteFault::conflict; });
     }
 
     /// The face at infinity beyond a facet of the border.
@@ -331,13 +330,14 @@ class Judge {
     void count_open(const std::vector<Side>& border, const std::vector<signum::Face>& hull) {
         if constexpr (corners == 3) {
             std::set<std::array<Index, 2>> edges;
-            for (const auto& [at_infinity, b, a] : hull) edges.insert({std::min(a, b), std::max(a, b)});
+            for (const auto& [at_infinity, b, a] : hull)
+                edges.insert({std::min(a, b), std::max(a, b)});
             for (const Side& side : border)
                 if (!edges.contains(side.sites)) {
                     ++result_.open;
                     if (result_.message.empty())
-                        result_.message = name(static_cast<std::size_t>(side.face)) + ": its edge " +
-                                          std::to_string(side.sites[0]) + " " +
+                        result_.message = name(static_cast<std::size_t>(side.face)) +
+                                          ": its edge " + std::to_string(side.sites[0]) + " " +
                                           std::to_string(side.sites[1]) +
                                           " is on no other face, and not on the hull";
                 }

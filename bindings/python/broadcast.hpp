@@ -80,8 +80,8 @@ class Broadcast {
         }
     }
 
-    /// The same of points, one axis of rows: batch(sites of each operand, signs). False, and nothing
-    /// is done, where there are more axes or none, or a number is not finite.
+    /// The same of points, one axis of rows: batch(sites of each operand, signs). False, and
+    /// nothing is done, where there are more axes or none, or a number is not finite.
     template <class Batch>
     [[nodiscard]] bool as_batch(py::object& answer, const Batch& batch) const {
         if (shape_.size() != 1) return false;

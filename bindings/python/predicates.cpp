@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "../../exact/sign_of_sum.hpp"
-#include "../../predicates/batch.hpp"
 #include "../../motion/meeting_time.hpp"
+#include "../../predicates/batch.hpp"
 #include "../../triangulation/kernels/predicates_of.hpp"
 #include "broadcast.hpp"
 #include "names.hpp"

@@ -63,8 +63,7 @@ template <class... S, class Predicate, class... Numbers>
     return answer<S...>(predicate, numbers...);
 }
 template <class... S, class Filter, class Predicate, class... Numbers>
-[[gnu::always_inline]] inline int answer_filtered(const Filter& filter,
-                                                  const Predicate& predicate,
+[[gnu::always_inline]] inline int answer_filtered(const Filter& filter, const Predicate& predicate,
                                                   const Numbers*... numbers) noexcept {
     if (!((numbers != nullptr) && ...)) return SIGNUM_NO_SIGN;
     const rooms::filters::Verdict verdict = filter(Of<S>::from(numbers)...);
@@ -92,26 +91,26 @@ int answer_batch(std::initializer_list<const double*> rows, std::size_t count, i
 }
 
 // The functions of a metric, by their names.
-#define SIGNUM_IN_METRIC(metric, call)            \
-    switch (metric) {                             \
-        case SIGNUM_POWER: {                      \
-            namespace in = rooms::power;          \
-            return call;                          \
-        }                                         \
-        case SIGNUM_EUCLIDEAN: {                  \
-            namespace in = rooms::euclidean;      \
-            return call;                          \
-        }                                         \
-        case SIGNUM_MANHATTAN: {                  \
-            namespace in = rooms::manhattan;      \
-            return call;                          \
-        }                                         \
-        case SIGNUM_SUPREMUM: {                   \
-            namespace in = rooms::supremum;       \
-            return call;                          \
-        }                                         \
-        default:                                  \
-            return SIGNUM_NO_SIGN;                \
+#define SIGNUM_IN_METRIC(metric, call)       \
+    switch (metric) {                        \
+        case SIGNUM_POWER: {                 \
+            namespace in = rooms::power;     \
+            return call;                     \
+        }                                    \
+        case SIGNUM_EUCLIDEAN: {             \
+            namespace in = rooms::euclidean; \
+            return call;                     \
+        }                                    \
+        case SIGNUM_MANHATTAN: {             \
+            namespace in = rooms::manhattan; \
+            return call;                     \
+        }                                    \
+        case SIGNUM_SUPREMUM: {              \
+            namespace in = rooms::supremum;  \
+            return call;                     \
+        }                                    \
+        default:                             \
+            return SIGNUM_NO_SIGN;           \
     }
 
 using rooms::predicates::Ccw;
@@ -143,14 +142,17 @@ int signum_ccw(const double* a, const double* b, const double* c) {
         a, b, c);
 }
 int signum_exists(signum_metric metric, const double* i, const double* j, const double* k) {
-    SIGNUM_IN_METRIC(metric, (answer<S, S, S>(
-        [](const S& x, const S& y, const S& z) { return in::exists(x, y, z); }, i, j, k)))
+    SIGNUM_IN_METRIC(
+        metric,
+        (answer<S, S, S>([](const S& x, const S& y, const S& z) { return in::exists(x, y, z); }, i,
+                         j, k)))
 }
 int signum_in_circle(signum_metric metric, const double* i, const double* j, const double* k,
                      const double* q) {
-    SIGNUM_IN_METRIC(metric, (answer<S, S, S, S>(
-        [](const S& x, const S& y, const S& z, const S& t) { return in::in_circle(x, y, z, t); }, i,
-        j, k, q)))
+    SIGNUM_IN_METRIC(metric,
+                     (answer<S, S, S, S>([](const S& x, const S& y, const S& z,
+                                            const S& t) { return in::in_circle(x, y, z, t); },
+                                         i, j, k, q)))
 }
 int signum_in_circle_points(const double* i, const double* j, const double* k, const double* q) {
     return answer_filtered<P, P, P, P>(
@@ -174,9 +176,10 @@ int signum_in_circle_weights(const double* i, const double* j, const double* k, 
 }
 int signum_in_circle_infinite(signum_metric metric, const double* a, const double* b,
                               const double* q) {
-    SIGNUM_IN_METRIC(metric, (answer<S, S, S>(
-        [](const S& x, const S& y, const S& z) { return in::in_circle_infinite(x, y, z); }, a, b,
-        q)))
+    SIGNUM_IN_METRIC(metric,
+                     (answer<S, S, S>([](const S& x, const S& y,
+                                         const S& z) { return in::in_circle_infinite(x, y, z); },
+                                      a, b, q)))
 }
 int signum_in_circle_infinite_points(const double* a, const double* b, const double* q) {
     return answer<P, P, P>(rooms::power::in_circle_infinite<P>, a, b, q);
@@ -188,30 +191,34 @@ int signum_in_circle_perturbed(signum_metric metric, const double* i, const doub
                                const double* k, const double* q, const int32_t* ranks) {
     if (ranks == nullptr) return SIGNUM_NO_SIGN;
     SIGNUM_IN_METRIC(metric, (answer<S, S, S, S>(
-        [&](const S& x, const S& y, const S& z, const S& t) {
-            return in::in_circle_perturbed(x, y, z, t, ranks_from<4>(ranks));
-        },
-        i, j, k, q)))
+                                 [&](const S& x, const S& y, const S& z, const S& t) {
+                                     return in::in_circle_perturbed(x, y, z, t,
+                                                                    ranks_from<4>(ranks));
+                                 },
+                                 i, j, k, q)))
 }
 int signum_in_circle_infinite_perturbed(signum_metric metric, const double* a, const double* b,
                                         const double* q, const int32_t* ranks) {
     if (ranks == nullptr) return SIGNUM_NO_SIGN;
     SIGNUM_IN_METRIC(metric, (answer<S, S, S>(
-        [&](const S& x, const S& y, const S& z) {
-            return in::in_circle_infinite_perturbed(x, y, z, ranks_from<3>(ranks));
-        },
-        a, b, q)))
+                                 [&](const S& x, const S& y, const S& z) {
+                                     return in::in_circle_infinite_perturbed(x, y, z,
+                                                                             ranks_from<3>(ranks));
+                                 },
+                                 a, b, q)))
 }
 int signum_hidden(signum_metric metric, const double* q, const double* i) {
-    SIGNUM_IN_METRIC(metric, (answer<S, S>(
-        [](const S& x, const S& y) { return in::hidden(x, y); }, q, i)))
+    SIGNUM_IN_METRIC(metric,
+                     (answer<S, S>([](const S& x, const S& y) { return in::hidden(x, y); }, q, i)))
 }
 int signum_hidden_weights(const double* q, const double* i) {
     return answer<W, W>(rooms::power::hidden<W>, q, i);
 }
 int signum_nearer(signum_metric metric, const double* p, const double* a, const double* b) {
-    SIGNUM_IN_METRIC(metric, (answer<P, S, S>(
-        [](const P& x, const S& y, const S& z) { return in::nearer(x, y, z); }, p, a, b)))
+    SIGNUM_IN_METRIC(
+        metric,
+        (answer<P, S, S>([](const P& x, const S& y, const S& z) { return in::nearer(x, y, z); }, p,
+                         a, b)))
 }
 int signum_nearer_weights(const double* p, const double* a, const double* b) {
     return answer<P, W, W>(rooms::power::nearer<W>, p, a, b);
@@ -259,9 +266,8 @@ int signum_nearer_space(const double* p, const double* a, const double* b) {
 
 int signum_ccw_batch(const double* a, const double* b, const double* c, size_t count,
                      int8_t* signs) {
-    return answer_batch({a, b, c}, count, signs, [](const double* const* p) {
-        return signum_ccw(p[0], p[1], p[2]);
-    });
+    return answer_batch({a, b, c}, count, signs,
+                        [](const double* const* p) { return signum_ccw(p[0], p[1], p[2]); });
 }
 int signum_in_circle_points_batch(const double* i, const double* j, const double* k,
                                   const double* q, size_t count, int8_t* signs) {

@@ -156,14 +156,18 @@ class Dyadic : public ComparedBySign<Dyadic> {
     [[gnu::noinline]] friend Dyadic operator-(const Dyadic& a, const Dyadic& b) noexcept {
         return a + -b;
     }
-    Dyadic& operator+=(const Dyadic& other) noexcept { return *this = *this + other; }
+    Dyadic& operator+=(const Dyadic& other) noexcept {
+        return *this = *this + other;
+    }
     [[gnu::noinline]] friend Dyadic operator*(const Dyadic& a, const Dyadic& b) noexcept {
         if (a.bits() + b.bits() <= most_bits)
             return {a.small_ * b.small_, a.exponent_ + b.exponent_};
         return {Natural::product(a.digits(), b.digits()), (a.sign() < 0) != (b.sign() < 0),
                 a.exponent_ + b.exponent_};
     }
-    friend Dyadic operator*(int a, const Dyadic& b) noexcept { return Dyadic(Small{a}, 0) * b; }
+    friend Dyadic operator*(int a, const Dyadic& b) noexcept {
+        return Dyadic(Small{a}, 0) * b;
+    }
 
     [[nodiscard]] Sign sign() const noexcept {
         if (!large_.empty()) return is_negative_ ? -1 : 1;

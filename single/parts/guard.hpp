@@ -2,7 +2,8 @@
 #error "signum needs C++17: compile with -std=c++17"
 #endif
 #if !defined(__GNUC__)
-#error "signum needs GCC or Clang (on Windows MinGW or clang), for it tells their optimizers what must not move"
+#error \
+    "signum needs GCC or Clang (on Windows MinGW or clang), for it tells their optimizers what must not move"
 #endif
 #if !defined(__SSE2__) && (defined(__i386__) || defined(__x86_64__))
 #error "signum needs SSE2: compile with -msse2 -mfpmath=sse"

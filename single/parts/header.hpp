@@ -1,11 +1,11 @@
 #ifndef SIGNUM_PREDICATES_HPP
 #define SIGNUM_PREDICATES_HPP
-/* Compile signum_predicates.cpp beside your program: g++ -O2 mine.cpp signum_predicates.cpp. There is
- * nothing to link, to start or to free. Everything is exact for all finite doubles, in every rounding
- * mode, with denormals flushed, in any number of threads.
+/* Compile signum_predicates.cpp beside your program: g++ -O2 mine.cpp signum_predicates.cpp. There
+ * is nothing to link, to start or to free. Everything is exact for all finite doubles, in every
+ * rounding mode, with denormals flushed, in any number of threads.
  *
- * C, Rust, Fortran and others call the functions of C below. C++17 has points of any type beside them,
- * at the end of this file. */
+ * C, Rust, Fortran and others call the functions of C below. C++17 has points of any type beside
+ * them, at the end of this file. */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-@C_DECLARATIONS@
+// C_DECLARATIONS
 
 #ifdef __cplusplus
 }
@@ -59,10 +59,10 @@ struct Told : std::false_type {};
 template <class P>
 struct Told<P, std::void_t<decltype(coordinates<P>::at(std::declval<const P&>(), 0))>>
     : std::true_type {};
-#define SIGNUM_READABLE(Name, expression)                                                  \
-    template <class P, class = void>                                                       \
-    struct Name : std::false_type {};                                                      \
-    template <class P>                                                                     \
+#define SIGNUM_READABLE(Name, expression) \
+    template <class P, class = void>      \
+    struct Name : std::false_type {};     \
+    template <class P>                    \
     struct Name<P, std::void_t<decltype(expression)>> : std::true_type {};
 SIGNUM_READABLE(Named, std::declval<const P&>().x + std::declval<const P&>().y)
 SIGNUM_READABLE(Called, std::declval<const P&>().x() + std::declval<const P&>().y())
@@ -73,12 +73,15 @@ SIGNUM_READABLE(WithRadius, std::declval<const P&>().r + 0)
 /// The number itself, as a double; what a double cannot hold does not compile.
 template <class Number>
 [[nodiscard]] constexpr double exact_double(Number number) noexcept {
-    static_assert(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>,
-                  "signum: a coordinate must be a float, a double or an integer of at most 32 bits");
-    static_assert(!std::is_same_v<Number, long double>,
-                  "signum: a long double would be rounded to a double, and the sign be another one's");
-    static_assert(!std::is_integral_v<Number> || sizeof(Number) <= 4,
-                  "signum: integers of 64 bits may be no doubles: convert those that are below 2^53");
+    static_assert(
+        std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>,
+        "signum: a coordinate must be a float, a double or an integer of at most 32 bits");
+    static_assert(
+        !std::is_same_v<Number, long double>,
+        "signum: a long double would be rounded to a double, and the sign be another one's");
+    static_assert(
+        !std::is_integral_v<Number> || sizeof(Number) <= 4,
+        "signum: integers of 64 bits may be no doubles: convert those that are below 2^53");
     return static_cast<double>(number);
 }
 template <class P>
@@ -137,8 +140,9 @@ struct Disc {
 
 }  // namespace reading
 
-// ---- points of any type --------------------------------------------------------------------------
-// Precondition of all: finite coordinates; otherwise the answer is no_sign.
+// ---- points of any type
+// -------------------------------------------------------------------------- Precondition of all:
+// finite coordinates; otherwise the answer is no_sign.
 
 inline constexpr int no_sign = SIGNUM_NO_SIGN;
 
@@ -168,8 +172,8 @@ template <class I, class J, class K, class Q>
     const Sign turn = ccw(i, j, k);
     return turn == 1 || turn == -1 ? turn * in_circle_determinant(i, j, k, q) : no_sign;
 }
-/// The same in space: minus the determinant of the rows (m - q, |m - q|^2), m = i, j, k, l. +1 where
-/// q lies inside the sphere and ccw(i, j, k, l) > 0, or outside and it is < 0.
+/// The same in space: minus the determinant of the rows (m - q, |m - q|^2), m = i, j, k, l. +1
+/// where q lies inside the sphere and ccw(i, j, k, l) > 0, or outside and it is < 0.
 template <class I, class J, class K, class L, class Q>
 [[nodiscard]] Sign in_sphere_determinant(const I& i, const J& j, const K& k, const L& l,
                                          const Q& q) noexcept {
@@ -189,8 +193,9 @@ template <class I, class J, class K, class L, class Q>
     return signum_sign_of_sum(terms, count);
 }
 
-// ---- sites of any type, in four metrics ----------------------------------------------------------
-// A site has x, y and r, or [0], [1] and [2]. The functions of C above say what is answered.
+// ---- sites of any type, in four metrics
+// ---------------------------------------------------------- A site has x, y and r, or [0], [1] and
+// [2]. The functions of C above say what is answered.
 
 /// The predicates of a metric.
 template <signum_metric metric>
@@ -232,8 +237,9 @@ using Euclidean = In<SIGNUM_EUCLIDEAN>;
 using Manhattan = In<SIGNUM_MANHATTAN>;
 using Supremum = In<SIGNUM_SUPREMUM>;
 
-// ---- the conventions of others -------------------------------------------------------------------
-// Their names, their order of arguments, the signs that they give; each answers -1, 0 or +1.
+// ---- the conventions of others
+// ------------------------------------------------------------------- Their names, their order of
+// arguments, the signs that they give; each answers -1, 0 or +1.
 
 /// Shewchuk's predicates.c, and so Triangle, TetGen, libigl and others. insphere is positive inside
 /// where orient3d(a, b, c, d) > 0, incircle where orient2d(a, b, c) > 0.
@@ -283,8 +289,7 @@ template <class P, class Q, class R, class T>
 }
 /// +1 ON_BOUNDED_SIDE: inside.
 template <class P, class Q, class R, class T>
-[[nodiscard]] Sign side_of_bounded_circle(const P& p, const Q& q, const R& r,
-                                          const T& t) noexcept {
+[[nodiscard]] Sign side_of_bounded_circle(const P& p, const Q& q, const R& r, const T& t) noexcept {
     return in_circle(p, q, r, t);
 }
 template <class P, class Q, class R, class S, class T>

@@ -12,8 +12,8 @@ namespace signum::predicates {
     bool are_small = true;
     for (const Point3* p : points)
         for (const double x : {p->x, p->y, p->z})
-            are_small &= filters::magnitude(x) <= most &&
-                         static_cast<double>(static_cast<int>(x)) == x;
+            are_small &=
+                filters::magnitude(x) <= most && static_cast<double>(static_cast<int>(x)) == x;
     return are_small;
 }
 

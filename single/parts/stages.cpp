@@ -44,8 +44,9 @@ template <class Number, class S>
     const auto high = [&](std::size_t m) -> Row<double> {
         return {r[m].x.high, r[m].y.high, r[m].weight.high};
     };
-    return ladder::judged(in_circle_determinant(r[0], r[1], r[2]).high,
-                          refined_in_circle_error * determinant_magnitude(high(0), high(1), high(2)));
+    return ladder::judged(
+        in_circle_determinant(r[0], r[1], r[2]).high,
+        refined_in_circle_error * determinant_magnitude(high(0), high(1), high(2)));
 }
 [[nodiscard, gnu::cold]] Sign sign_of_circle(const CircleRows<exact::Dyadic>& r) noexcept {
     return in_circle_determinant(r[0], r[1], r[2]).sign();
@@ -71,7 +72,8 @@ template <class Number, class S>
 #endif
 struct CircleBeyond {
     template <class S>
-    [[nodiscard, gnu::cold]] static Decision climb(const S& i, const S& j, const S& k, const S& q) noexcept {
+    [[nodiscard, gnu::cold]] static Decision climb(const S& i, const S& j, const S& k,
+                                                   const S& q) noexcept {
         return {sign_of_circle(circle_rows<ladder::Exactly>(i, j, k, q)), Stage::multiprecision};
     }
 };
@@ -110,9 +112,8 @@ struct CircleWithin {
 struct SphereBeyond {
     template <class S>
     [[nodiscard, gnu::cold]] static Decision climb(const S& i, const S& j, const S& k, const S& l,
-                                        const S& q) noexcept {
-        return {sign_of_sphere(sphere_rows<ladder::Exactly>(i, j, k, l, q)),
-                Stage::multiprecision};
+                                                   const S& q) noexcept {
+        return {sign_of_sphere(sphere_rows<ladder::Exactly>(i, j, k, l, q)), Stage::multiprecision};
     }
 };
 /// Whether five points have no more than two coordinates along each axis: corners of a box, which
@@ -145,9 +146,8 @@ struct SphereWithin {
                 return {sign_of(value), Stage::exact};
             if (are_corners_of_a_box(i, j, k, l, q)) return {0, Stage::exact};
         }
-        verdict = ladder::judged(
-            determinant_of_sphere(sphere_rows<ladder::Refined>(i, j, k, l, q)),
-            refined_in_sphere_error * size);
+        verdict = ladder::judged(determinant_of_sphere(sphere_rows<ladder::Refined>(i, j, k, l, q)),
+                                 refined_in_sphere_error * size);
         if (verdict.is_certain()) return {verdict.sign(), Stage::refine};
         return SphereBeyond::climb(i, j, k, l, q);
     }
@@ -181,8 +181,8 @@ template <class Number, std::size_t n, class Make>
 template <std::size_t n, class Question>
 [[nodiscard, gnu::cold]] Decision decide_exactly(const std::array<Site, n>& sites,
                                                  const Question& question) {
-    const auto answer = question(discs_of<exact::Dyadic>(
-        sites, [](double number) { return exact::Dyadic(number); }));
+    const auto answer = question(
+        discs_of<exact::Dyadic>(sites, [](double number) { return exact::Dyadic(number); }));
     return {answer.sign, Stage::multiprecision, answer.tied};
 }
 
@@ -230,19 +230,20 @@ Decision nearer(Arithmetic, const Point& p, const Site& a, const Site& b,
 }
 Decision exists(Arithmetic, const Site& i, const Site& j, const Site& k,
                 const Ranks<3>& ranks) noexcept {
-    return decide(filter::exists, [&](const auto& d) { return polynomials::exists(d, ranks); }, i,
-                  j, k);
+    return decide(
+        filter::exists, [&](const auto& d) { return polynomials::exists(d, ranks); }, i, j, k);
 }
 Decision in_circle(Arithmetic, const Site& i, const Site& j, const Site& k, const Site& q,
                    const Ranks<4>& ranks) noexcept {
-    return decide(filter::in_circle,
-                  [&](const auto& d) { return polynomials::in_circle(d, ranks); }, i, j, k, q);
+    return decide(
+        filter::in_circle, [&](const auto& d) { return polynomials::in_circle(d, ranks); }, i, j, k,
+        q);
 }
 Decision in_circle_infinite(Arithmetic, const Site& a, const Site& b, const Site& q,
                             const Ranks<3>& ranks) noexcept {
-    return decide(filter::in_circle_infinite,
-                  [&](const auto& d) { return polynomials::in_circle_infinite(d, ranks); }, a, b,
-                  q);
+    return decide(
+        filter::in_circle_infinite,
+        [&](const auto& d) { return polynomials::in_circle_infinite(d, ranks); }, a, b, q);
 }
 
 }  // namespace cold
@@ -253,9 +254,7 @@ Decision in_circle_decision(const Site& i, const Site& j, const Site& k, const S
     if (verdict.is_certain()) return {verdict.sign(), Stage::filter};
     return decide(
         filter::in_circle,
-        [&](const auto& d) {
-            return polynomials::Answer{polynomials::in_circle_touch(d, ranks)};
-        },
+        [&](const auto& d) { return polynomials::Answer{polynomials::in_circle_touch(d, ranks)}; },
         i, j, k, q);
 }
 Decision in_circle_infinite_decision(const Site& a, const Site& b, const Site& q) noexcept {

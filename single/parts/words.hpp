@@ -15,12 +15,12 @@ template <class A, class B>
 inline constexpr bool same = std::is_same_v<A, B>;
 
 // Whether a type has a member of that name, of data or a function that is alone of its name.
-#define SIGNUM_MEMBER(name)                                                                       \
-    template <class T, class = void>                                                              \
-    struct Has_##name : std::false_type {};                                                       \
-    template <class T>                                                                            \
-    struct Has_##name<T, std::void_t<decltype(&T::name)>> : std::true_type {};                    \
-    template <class T>                                                                            \
+#define SIGNUM_MEMBER(name)                                                    \
+    template <class T, class = void>                                           \
+    struct Has_##name : std::false_type {};                                    \
+    template <class T>                                                         \
+    struct Has_##name<T, std::void_t<decltype(&T::name)>> : std::true_type {}; \
+    template <class T>                                                         \
     inline constexpr bool has_##name = Has_##name<Bare<T>>::value;
 SIGNUM_MEMBER(z)
 SIGNUM_MEMBER(r)

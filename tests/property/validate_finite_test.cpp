@@ -1,5 +1,5 @@
-/// validate_finite() against the definition: no flat face, interiors apart, all of the hull covered,
-/// every place a vertex, every circle empty. All in integers.
+/// validate_finite() against the definition: no flat face, interiors apart, all of the hull
+/// covered, every place a vertex, every circle empty. All in integers.
 
 #include <algorithm>
 #include <array>
@@ -69,9 +69,8 @@ Integer area_of_hull(std::vector<Place> places) {
 bool are_apart(const std::array<Place, 3>& a, const std::array<Place, 3>& b) {
     const auto separates = [](const std::array<Place, 3>& one, const std::array<Place, 3>& other) {
         for (std::size_t k = 0; k < 3; ++k)
-            if (std::ranges::all_of(other, [&](const Place& p) {
-                    return turn(one[k], one[(k + 1) % 3], p) <= 0;
-                }))
+            if (std::ranges::all_of(
+                    other, [&](const Place& p) { return turn(one[k], one[(k + 1) % 3], p) <= 0; }))
                 return true;
         return false;
     };
@@ -108,8 +107,7 @@ bool is_triangulation(const std::vector<Triangle>& faces, const std::vector<Plac
             if (in_circle(t[0], t[1], t[2], q) > 0) return false;
     // Of points all places are vertices; weights may hide some, also by a tie, which a site that is
     // none may be left to: it touches then a circle from above.
-    const bool are_points =
-        std::ranges::all_of(places, [](const Place& p) { return p.w == 0; });
+    const bool are_points = std::ranges::all_of(places, [](const Place& p) { return p.w == 0; });
     for (const Place& p : places)
         if (are_points && !covered.contains({p.x, p.y, p.w})) return false;
     return true;
@@ -143,8 +141,8 @@ void change(std::vector<Triangle>& faces, std::size_t sites, std::mt19937_64& ra
             if (std::ranges::find(faces[g], i) != faces[g].end()) shared.push_back(i);
         if (g == f || shared.size() != 2) continue;
         const auto apex = [&](const Triangle& face) {
-            return *std::ranges::find_if(
-                face, [&](Index i) { return i != shared[0] && i != shared[1]; });
+            return *std::ranges::find_if(face,
+                                         [&](Index i) { return i != shared[0] && i != shared[1]; });
         };
         const Index a = apex(faces[f]);
         const Index b = apex(faces[g]);
@@ -229,7 +227,8 @@ TEST(ValidateFinite, OfSpace) {
         const FiniteValidation twice = judge();
         EXPECT_FALSE(twice.valid);
         EXPECT_TRUE(std::ranges::any_of(twice.faults, [&](const auto& fault) {
-            return fault.face == static_cast<std::int64_t>(k) && fault.fault == FiniteFault::overlap;
+            return fault.face == static_cast<std::int64_t>(k) &&
+                   fault.fault == FiniteFault::overlap;
         }));
         cells = kept;
         cells[k][random() % 4] = static_cast<Index>(random() % sites.size());

@@ -85,7 +85,8 @@ TEST_F(Tool, RefusesWrongCalls) {
            "signum: voronoi has no option '--vertices'; triangulate has it; see signum voronoi "
            "--help\n");
     expect({"validate", "--json", sites, sites}, 2,
-           "signum: validate has no option '--json'; compare, sign and torture have it; see signum validate "
+           "signum: validate has no option '--json'; compare, sign and torture have it; see signum "
+           "validate "
            "--help\n");
     expect(triangulate({"--metric"}), 2,
            "signum: --metric needs a word after it: --metric NAME" + help);
@@ -1025,14 +1026,14 @@ TEST_F(Tool, TakesEuclideanWhereNoMetricIsGiven) {
 
 TEST_F(Tool, AnswersAQuestionALine) {
     const std::string questions = scratch.file("questions.txt",
-                                                "# of points\n"
-                                                "orient2d 0 0 1 0 0 1\n"
-                                                "\n"
-                                                "incircle 0 0 0 1 1 0 0.5 0.5\n"
-                                                "orient3d 0 0 0 1 0 0 0 1 0 0 0 1\n"
-                                                "insphere 1 0 0 0 0 0 0 1 0 0 0 1 1 1 1\n"
-                                                "in_circle 0 0 1 1 0 1 0 1 1 1 1 1\n"
-                                                "ccw 0 0 1\n");
+                                               "# of points\n"
+                                               "orient2d 0 0 1 0 0 1\n"
+                                               "\n"
+                                               "incircle 0 0 0 1 1 0 0.5 0.5\n"
+                                               "orient3d 0 0 0 1 0 0 0 1 0 0 0 1\n"
+                                               "insphere 1 0 0 0 0 0 0 1 0 0 0 1 1 1 1\n"
+                                               "in_circle 0 0 1 1 0 1 0 1 1 1 1 1\n"
+                                               "ccw 0 0 1\n");
     Circumstances from_questions;
     from_questions.in = questions;
     const Outcome mixed = run({"sign", "-", "--metric", "power"}, from_questions);

@@ -60,8 +60,8 @@ struct Answer {
 /// they mean.
 std::vector<double> numbers_of(const SignCall& call, std::size_t needed, std::string_view meaning) {
     if (call.numbers.size() != needed) {
-        throw CallError(fmt::format("sign {} needs {} numbers{}, {}; {} {} given",
-                                    call.predicate, needed, call.place, meaning, call.numbers.size(),
+        throw CallError(fmt::format("sign {} needs {} numbers{}, {}; {} {} given", call.predicate,
+                                    needed, call.place, meaning, call.numbers.size(),
                                     call.numbers.size() == 1 ? "is" : "are"));
     }
     std::vector<double> values;
@@ -570,12 +570,11 @@ void add_sign(CLI::App& tool) {
     auto call = std::make_shared<SignCall>();
     CLI::App* command = tool.add_subcommand(
         "sign", "Prints the exact sign of a predicate, and the stage that decided it");
-    add_checked(*command, "PREDICATE", call->predicate, "",
-                one_of([] {
-                    std::vector<std::string> names = names_of_predicates();
-                    names.emplace_back(standard_output);
-                    return names;
-                }()),
+    add_checked(*command, "PREDICATE", call->predicate, "", one_of([] {
+        std::vector<std::string> names = names_of_predicates();
+        names.emplace_back(standard_output);
+        return names;
+    }()),
                 "ccw        three points turn left (1), right (-1)\n"
                 "           or lie on a line (0)\n"
                 "           in space: the fourth lies on the side from\n"

@@ -51,8 +51,8 @@ void run(const TortureCall& call) {
                    {"json", [&](std::ostream& out) { out << torture::as_json(report); }},
                    {"html", [&](std::ostream& out) { out << torture::as_page(report); }}});
     if (!report.is_faultless())
-        throw CheckFailure(fmt::format("{}: signs are wrong, or calls did not come back",
-                                       call.plugin));
+        throw CheckFailure(
+            fmt::format("{}: signs are wrong, or calls did not come back", call.plugin));
 }
 
 }  // namespace
@@ -62,9 +62,10 @@ void add_torture(CLI::App& tool) {
     CLI::App* command = tool.add_subcommand(
         "torture", "Judges anybody's predicates: which signs are wrong, and where");
     command
-        ->add_option("PLUGIN", call->plugin,
-                     "A shared library with C functions orient2d, incircle,\norient3d, insphere, or "
-                     "some of them, as Shewchuk's:\nof pointers to the coordinates of each point")
+        ->add_option(
+            "PLUGIN", call->plugin,
+            "A shared library with C functions orient2d, incircle,\norient3d, insphere, or "
+            "some of them, as Shewchuk's:\nof pointers to the coordinates of each point")
         ->required()
         ->type_name("");
     for (const torture::Asked asked : torture::all_asked) {

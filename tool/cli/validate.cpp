@@ -37,9 +37,8 @@ struct ValidateCall {
     OutputsCall outputs;
 };
 
-constexpr std::array<Format, 2> formats = {
-    {{"json", "the judgement, with all faces at fault"},
-     {"svg", "a picture of them", Dimension::two, ""}}};
+constexpr std::array<Format, 2> formats = {{{"json", "the judgement, with all faces at fault"},
+                                            {"svg", "a picture of them", Dimension::two, ""}}};
 
 Validation judged_in_space(const ValidateCall& call, const ReadTessellation& read) {
     if (!traits_of(read.arrays.metric).edges_are_straight) {
@@ -89,8 +88,8 @@ std::string as_json(const FiniteValidation& judged) {
     for (const auto& [face, fault] : judged.faults)
         json["faults"].push_back(
             {{"face", face},
-             {"fault", std::ranges::find(faults, fault, &decltype(faults)::value_type::first)
-                           ->second}});
+             {"fault",
+              std::ranges::find(faults, fault, &decltype(faults)::value_type::first)->second}});
     json["open"] = judged.open;
     json["missing"] = judged.missing;
     return json.dump() + "\n";
@@ -124,9 +123,8 @@ void run_finite(const ValidateCall& call) {
     const bool in_space = !read.cells.empty();
     const SitesFile sites = read_sites_by_columns(call.sites, call.columns, in_space ? 3 : 2,
                                                   input_of(call.sites, call.read_as));
-    const InputSites given = {sites, call.weight_is == name_of(WeightIs::weight)
-                                         ? WeightIs::weight
-                                         : WeightIs::radius};
+    const InputSites given = {
+        sites, call.weight_is == name_of(WeightIs::weight) ? WeightIs::weight : WeightIs::radius};
     std::vector<Target> targets;
     if (!call.outputs.outputs.empty() || !call.outputs.format.empty())
         targets = targets_of(call.outputs, call.tessellation, formats);
@@ -154,7 +152,8 @@ void run_finite(const ValidateCall& call) {
     if (judged.valid) return;
     const std::string_view face = in_space ? "cells" : "faces";
     if (!judged.faults.empty()) {
-        std::string line = fmt::format("{} of {} {} at fault:", judged.faults.size(), read.size(), face);
+        std::string line =
+            fmt::format("{} of {} {} at fault:", judged.faults.size(), read.size(), face);
         for (const auto& [fault, name] : faults)
             if (const std::int64_t count = count_of(judged, fault); count > 0)
                 line += fmt::format(" {} {},", count, name);
@@ -164,11 +163,11 @@ void run_finite(const ValidateCall& call) {
     if (judged.open > 0)
         print(fmt::format("edges of one face that are not on the hull: {}\n", judged.open));
     if (!judged.missing.empty())
-        print(fmt::format("sites that are of no {}, and should be: {}\n", in_space ? "cell" : "face",
-                          judged.missing.size()));
+        print(fmt::format("sites that are of no {}, and should be: {}\n",
+                          in_space ? "cell" : "face", judged.missing.size()));
     const auto weighs = [](const auto& site) { return site.r != 0.0; };
-    const bool is_regular = std::ranges::any_of(sites.sites, weighs) ||
-                            std::ranges::any_of(sites.in_space, weighs);
+    const bool is_regular =
+        std::ranges::any_of(sites.sites, weighs) || std::ranges::any_of(sites.in_space, weighs);
     throw CheckFailure(fmt::format("{} is not a {} triangulation of {}", call.tessellation,
                                    is_regular ? "regular" : "Delaunay", call.sites));
 }

@@ -71,8 +71,7 @@ void draw_faults(std::ostream& out, std::span<const std::array<Index, 3>> faces,
                "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
                "<path fill=\"none\" stroke=\"#999\" stroke-width=\"0.7\" d=\"",
                width, frame.height);
-    for (std::size_t f = 0; f < std::min(faces.size(), most_faces_drawn); ++f)
-        out << path_of(f);
+    for (std::size_t f = 0; f < std::min(faces.size(), most_faces_drawn); ++f) out << path_of(f);
     out << "\"/>\n";
     for (const Look& look : looks)
         for (const auto& [face, fault] : judged.faults)
@@ -102,7 +101,8 @@ void draw_faults(std::ostream& out, std::span<const std::array<Index, 3>> faces,
                "stroke-width=\"2\"/><text x=\"{2:.0f}\" y=\"{3:.0f}\">of no face</text>\n",
                at + 7, line - 5, at + 20, line);
     if (faces.size() > most_faces_drawn)
-        fmt::print(out, "<text x=\"20\" y=\"{:.0f}\">{} of {} faces without fault are drawn</text>\n",
+        fmt::print(out,
+                   "<text x=\"20\" y=\"{:.0f}\">{} of {} faces without fault are drawn</text>\n",
                    line + 20, most_faces_drawn, faces.size());
     out << "</svg>\n";
 }

@@ -26,8 +26,8 @@ class Rows {
 
     void add(const std::vector<std::int64_t>& row, Position position) {
         if (row.size() != 3 && row.size() != 4)
-            file_.fail(position, fmt::format("a face has three points and a cell four, not {}",
-                                             row.size()));
+            file_.fail(position,
+                       fmt::format("a face has three points and a cell four, not {}", row.size()));
         if (result_.size() > 0 && (row.size() == 3) != result_.cells.empty())
             file_.fail(position,
                        fmt::format("{} points, where the rows before have {}: faces and cells do "
@@ -183,8 +183,8 @@ FacesFile read_ply(InputFile& file) {
     while (lines.next('\0') && lines.words()[0].text != "end_header") {
         const auto& words = lines.words();
         if (words[0].text == "format" && words.size() > 1 && words[1].text != "ascii")
-            file.fail(lines.position(1), fmt::format("PLY {}; that of text is read, ascii",
-                                                     in_quotes(words[1].text)));
+            file.fail(lines.position(1),
+                      fmt::format("PLY {}; that of text is read, ascii", in_quotes(words[1].text)));
         if (words[0].text != "element" || words.size() < 3) continue;
         if (words[1].text == "face")
             faces = lines.number(2);
@@ -211,7 +211,8 @@ FacesFile read_vtk(InputFile& file) {
     Lines lines(file);
     while (lines.next()) {
         const std::string_view what = lines.words()[0].text;
-        if (what == "BINARY") file.fail(lines.position(), "legacy VTK of bytes; that of text is read");
+        if (what == "BINARY")
+            file.fail(lines.position(), "legacy VTK of bytes; that of text is read");
         if (what != "POLYGONS" && what != "CELLS") continue;
         const std::int64_t count = lines.number(1);
         for (std::int64_t k = 0; k < count; ++k) {

@@ -19,10 +19,10 @@ struct FacesFile {
 };
 
 /// By the ending: .json (rows, or an object with "simplices", "faces" or "cells"), .npy (whole
-/// numbers), .ele (Triangle, TetGen), .obj, .ply (of text) and .vtk (of text); any other holds three
-/// or four numbers a line, with or without a head. In .ele and .obj points are numbered as these
-/// formats say, elsewhere from 0. Throws InputError, with line and column where it has them, and
-/// MachineError.
+/// numbers), .ele (Triangle, TetGen), .obj, .ply (of text) and .vtk (of text); any other holds
+/// three or four numbers a line, with or without a head. In .ele and .obj points are numbered as
+/// these formats say, elsewhere from 0. Throws InputError, with line and column where it has them,
+/// and MachineError.
 [[nodiscard]] FacesFile read_faces(const std::string& path);
 
 }  // namespace signum

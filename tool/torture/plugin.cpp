@@ -38,7 +38,8 @@ Plugin::Plugin(const std::string& path, const std::array<std::string, functions>
     // Without a slash it would be looked for where the system has its libraries.
     const std::string file = path.find('/') == std::string::npos ? "./" + path : path;
     void* const library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (library == nullptr) throw InputError(path, fmt::format("is no shared library: {}", ::dlerror()));
+    if (library == nullptr)
+        throw InputError(path, fmt::format("is no shared library: {}", ::dlerror()));
     library_ = std::shared_ptr<void>(library, ::dlclose);
     bool has_any = false;
     for (const Asked asked : all_asked) {

@@ -19,7 +19,9 @@ class Plugin {
     Plugin(const std::string& path, const std::array<std::string, functions>& names,
            const std::string& init, bool returns_int);
 
-    [[nodiscard]] bool has(Asked asked) const noexcept { return calls_[place_of(asked)] != nullptr; }
+    [[nodiscard]] bool has(Asked asked) const noexcept {
+        return calls_[place_of(asked)] != nullptr;
+    }
     /// May do whatever the plugin does: crash, or never return.
     [[nodiscard]] double ask(const Question& question) const;
 

@@ -32,15 +32,17 @@ constexpr std::array<Family, 12> all_families = {
      {"ulps", "such ties, of which one to three numbers are moved by at most 4 ulps"},
      {"tenths", "multiples of 0.1, a third of them moved by an ulp"},
      {"circles", "the last point where a mirror has it on the circle or sphere, rounded"},
-     {"neighbourhood", "a point among the doubles next to one on the line of two others (Kettner "
-                       "et al. 2008), and the same of planes, circles and spheres"},
+     {"neighbourhood",
+      "a point among the doubles next to one on the line of two others (Kettner "
+      "et al. 2008), and the same of planes, circles and spheres"},
      {"scaled", "ties moved by ulps, multiplied by a power of two up to 2^60 or down to 2^-60"},
      {"tiny", "one number that is nothing beside the others, about 2^-460"},
      {"far", "all exponents near 400 or -400: products overflow or underflow"},
      {"extremes", "magnitudes at both ends of the doubles, and where products leave them"},
      {"raw", "any finite bit patterns"},
-     {"rounding", "points for which doubles have the wrong sign by as much as a search finds: a "
-                  "filter's bound must be greater",
+     {"rounding",
+      "points for which doubles have the wrong sign by as much as a search finds: a "
+      "filter's bound must be greater",
       50}}};
 
 Point plane_point(const Question& q, std::size_t m) {
@@ -157,12 +159,11 @@ Sign exact_sign(const Question& q) {
                                                               plane_point(q, 2), plane_point(q, 3))
                 .sign;
         case Asked::orient3d:
-            return -ccw(space_point(q, 0), space_point(q, 1), space_point(q, 2),
-                        space_point(q, 3));
+            return -ccw(space_point(q, 0), space_point(q, 1), space_point(q, 2), space_point(q, 3));
         case Asked::insphere:
-            return -decide<Arithmetic::exact, power::InSphere>(
-                        space_point(q, 0), space_point(q, 1), space_point(q, 2),
-                        space_point(q, 3), space_point(q, 4))
+            return -decide<Arithmetic::exact, power::InSphere>(space_point(q, 0), space_point(q, 1),
+                                                               space_point(q, 2), space_point(q, 3),
+                                                               space_point(q, 4))
                         .sign;
     }
     return 0;
@@ -277,7 +278,8 @@ Question Maker::made(hard::Moves<d>& moves, Asked asked, std::size_t family) {
             // On the diagonal; of the others one is far from it, so that they span plane or space.
             const double along[] = {0.5, 12.0, 24.0, 8.8, 17.3};
             for (std::size_t m = 0; m < balls.size(); ++m)
-                balls[m].centre.fill(along[(m + static_cast<std::size_t>(moves.integer(0, 4))) % 5]);
+                balls[m].centre.fill(
+                    along[(m + static_cast<std::size_t>(moves.integer(0, 4))) % 5]);
             for (std::size_t m = 3; m < balls.size(); ++m) balls[m].centre[m % d] += 7.0;
             for (double& x : balls[0].centre)
                 x = 0.5 + 0x1p-53 * static_cast<double>(moves.integer(0, 255));
@@ -297,7 +299,8 @@ Question Maker::made(hard::Moves<d>& moves, Asked asked, std::size_t family) {
                 shuffle();
                 if (family != lattice) move();
             } while (has_denormal(balls));
-            if (family == scaled) moves.scale(points, balls, static_cast<int>(moves.integer(-60, 60)));
+            if (family == scaled)
+                moves.scale(points, balls, static_cast<int>(moves.integer(-60, 60)));
             if (family == tiny_beside)
                 balls[static_cast<std::size_t>(moves.integer(0, d))]
                     .centre[static_cast<std::size_t>(moves.integer(0, d - 1))] = tiny_number(moves);

@@ -178,10 +178,11 @@ code {{ overflow-wrap: anywhere }} figure {{ display: inline-block; margin: 0 1e
     for (const Asked asked : all_asked) {
         const Trial& trial = report.trials[place_of(asked)];
         if (!trial.is_there) continue;
-        page += fmt::format("<h2>{}</h2>\n<p>{}. The meaning of its signs: {}.</p>\n"
-                            "<table><tr><th>family</th><th>asked</th><th>wrong</th><th>NaN</th>"
-                            "<th></th></tr>\n",
-                            name_of(asked), verdict_of(trial), name_of(trial.convention));
+        page += fmt::format(
+            "<h2>{}</h2>\n<p>{}. The meaning of its signs: {}.</p>\n"
+            "<table><tr><th>family</th><th>asked</th><th>wrong</th><th>NaN</th>"
+            "<th></th></tr>\n",
+            name_of(asked), verdict_of(trial), name_of(trial.convention));
         for (std::size_t family = 0; family < trial.counts.size(); ++family) {
             const Count& count = trial.counts[family];
             page += fmt::format(

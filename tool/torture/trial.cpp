@@ -50,7 +50,8 @@ class Memory {
     Memory() {
         void* const pages = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE,
                                    MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-        if (pages == MAP_FAILED) throw MachineError(fmt::format("no memory: {}", std::strerror(errno)));
+        if (pages == MAP_FAILED)
+            throw MachineError(fmt::format("no memory: {}", std::strerror(errno)));
         shared_ = new (pages) Shared;
     }
     Memory(const Memory&) = delete;
@@ -258,8 +259,8 @@ std::array<Trial, functions> torture(const Plugin& plugin, const Options& option
     };
     while (share() < 1.0) {
         // As long as nothing is lost one process does it all.
-        const auto rest = Clock::now() + std::chrono::duration<double>(std::min(
-                                             1.0, options.seconds * (1.0 - share())));
+        const auto rest = Clock::now() + std::chrono::duration<double>(
+                                             std::min(1.0, options.seconds * (1.0 - share())));
         const End end = guarded(shared, options.patience, [&] {
             while (Clock::now() < rest) {
                 const std::uint64_t turn = shared.turn++;
@@ -287,9 +288,9 @@ std::array<Trial, functions> torture(const Plugin& plugin, const Options& option
         static_cast<void>(
             guarded(shared, options.patience, [&] { simplify(plugin, shared, asked); }));
         const std::size_t function = place_of(asked);
-        trial.counts.assign(shared.counts[function].begin(),
-                            shared.counts[function].begin() +
-                                static_cast<std::ptrdiff_t>(all_of_them));
+        trial.counts.assign(
+            shared.counts[function].begin(),
+            shared.counts[function].begin() + static_cast<std::ptrdiff_t>(all_of_them));
         if (const Smallest& smallest = shared.smallest[function]; smallest.cost != 0)
             trial.smallest = smallest.example;
         if (dimension_of(asked) != 2) continue;

@@ -15,10 +15,10 @@ namespace signum::torture {
 
 /// What the signs of a function mean.
 enum class Convention : std::uint8_t {
-    unknown,         ///< its answers fit none of those below
-    shewchuk,        ///< his
-    opposite,        ///< his, with the other sign
-    bounded,         ///< inside and outside, whichever way the points turn
+    unknown,          ///< its answers fit none of those below
+    shewchuk,         ///< his
+    opposite,         ///< his, with the other sign
+    bounded,          ///< inside and outside, whichever way the points turn
     bounded_opposite  ///< the same with the other sign
 };
 [[nodiscard]] std::string_view name_of(Convention convention) noexcept;

@@ -1,7 +1,7 @@
 /// Asks shared libraries made of single/signum_predicates.cpp, compiled by other compilers and with
 /// other flags, what the library itself says of the configurations of the record (docs/record.md):
-/// seven in eight are ties, of which three quarters are moved by ulps. Every second configuration is
-/// asked in the next of the floating-point environments. Prints how many calls of each function
+/// seven in eight are ties, of which three quarters are moved by ulps. Every second configuration
+/// is asked in the next of the floating-point environments. Prints how many calls of each function
 /// there were; exit 1 where one differs.
 ///
 /// usage: single_calls CALLS SEED LIBRARY.so...
@@ -20,9 +20,9 @@
 #include "../../../exact/sign_of_sum.hpp"
 #include "../../../fuzz/record/mix.hpp"
 #include "../../../fuzz/record/sites.hpp"
+#include "../../../predicates/euclidean.hpp"
 #include "../../../predicates/manhattan.hpp"
 #include "../../../predicates/power.hpp"
-#include "../../../predicates/euclidean.hpp"
 #include "../../../predicates/space.hpp"
 #include "../../../predicates/supremum.hpp"
 #include "../../property/environments.hpp"
@@ -92,12 +92,12 @@ void ask_power_circles(Libraries& libraries, int environment, const Configuratio
                        const char* infinite) {
     const auto site = [&](std::size_t m) { return site_of<S>(given.balls[m]); };
     // The sign of the determinant, whichever way the three turn.
-    libraries.ask(circle,
-                  predicates::decide<Arithmetic::exact, power::InCircle>(site(0), site(1), site(2),
-                                                                         site(3))
-                      .sign,
-                  environment, Number(n[0].data()), Number(n[1].data()), Number(n[2].data()),
-                  Number(n[3].data()));
+    libraries.ask(
+        circle,
+        predicates::decide<Arithmetic::exact, power::InCircle>(site(0), site(1), site(2), site(3))
+            .sign,
+        environment, Number(n[0].data()), Number(n[1].data()), Number(n[2].data()),
+        Number(n[3].data()));
     if (given.balls[0].centre != given.balls[1].centre)
         libraries.ask(infinite, power::in_circle_infinite(site(0), site(1), site(2)), environment,
                       Number(n[0].data()), Number(n[1].data()), Number(n[2].data()));
@@ -143,29 +143,29 @@ void ask_metric(Libraries& libraries, int environment, int metric, const Configu
 }
 
 /// The functions of a metric's namespace.
-#define SIGNUM_FUNCTIONS_OF(Name, metric)                                                      \
-    struct Name {                                                                              \
-        static bool exists(const Site& i, const Site& j, const Site& k) {                      \
-            return metric::exists(i, j, k);                                                    \
-        }                                                                                      \
-        static bool hidden(const Site& q, const Site& i) { return metric::hidden(q, i); }      \
-        static Sign nearer(const Point& p, const Site& a, const Site& b) {                     \
-            return metric::nearer(p, a, b);                                                    \
-        }                                                                                      \
-        static Sign in_circle(const Site& i, const Site& j, const Site& k, const Site& q) {    \
-            return metric::in_circle(i, j, k, q);                                              \
-        }                                                                                      \
-        static Sign in_circle_infinite(const Site& a, const Site& b, const Site& q) {          \
-            return metric::in_circle_infinite(a, b, q);                                        \
-        }                                                                                      \
-        static Sign in_circle_perturbed(const Site& i, const Site& j, const Site& k,           \
-                                        const Site& q, const std::array<Index, 4>& ranks) {    \
-            return metric::in_circle_perturbed(i, j, k, q, ranks);                             \
-        }                                                                                      \
-        static Sign in_circle_infinite_perturbed(const Site& a, const Site& b, const Site& q,  \
-                                                 const std::array<Index, 3>& ranks) {          \
-            return metric::in_circle_infinite_perturbed(a, b, q, ranks);                       \
-        }                                                                                      \
+#define SIGNUM_FUNCTIONS_OF(Name, metric)                                                     \
+    struct Name {                                                                             \
+        static bool exists(const Site& i, const Site& j, const Site& k) {                     \
+            return metric::exists(i, j, k);                                                   \
+        }                                                                                     \
+        static bool hidden(const Site& q, const Site& i) { return metric::hidden(q, i); }     \
+        static Sign nearer(const Point& p, const Site& a, const Site& b) {                    \
+            return metric::nearer(p, a, b);                                                   \
+        }                                                                                     \
+        static Sign in_circle(const Site& i, const Site& j, const Site& k, const Site& q) {   \
+            return metric::in_circle(i, j, k, q);                                             \
+        }                                                                                     \
+        static Sign in_circle_infinite(const Site& a, const Site& b, const Site& q) {         \
+            return metric::in_circle_infinite(a, b, q);                                       \
+        }                                                                                     \
+        static Sign in_circle_perturbed(const Site& i, const Site& j, const Site& k,          \
+                                        const Site& q, const std::array<Index, 4>& ranks) {   \
+            return metric::in_circle_perturbed(i, j, k, q, ranks);                            \
+        }                                                                                     \
+        static Sign in_circle_infinite_perturbed(const Site& a, const Site& b, const Site& q, \
+                                                 const std::array<Index, 3>& ranks) {         \
+            return metric::in_circle_infinite_perturbed(a, b, q, ranks);                      \
+        }                                                                                     \
     };
 SIGNUM_FUNCTIONS_OF(OfPower, power)
 SIGNUM_FUNCTIONS_OF(OfEuclidean, euclidean)
@@ -246,8 +246,7 @@ void ask(Libraries& libraries, int environment, const Configuration<3>& given) {
                       predicates::decide<Arithmetic::exact, power::InSphere>(
                           site(0), site(1), site(2), site(3), site(4))
                           .sign,
-                      environment,
-                      at(0), at(1), at(2), at(3), at(4));
+                      environment, at(0), at(1), at(2), at(3), at(4));
     } else {
         const auto site = [&](std::size_t m) { return site_of<Site3>(given.balls[m]); };
         libraries.ask("signum_nearer_space",
@@ -283,16 +282,15 @@ int run(int count, char** words) {
         (is_extreme ? space_of_extremes : space).make(kind_of_space, in_space);
         ask(libraries, environment, in_space);
         if (libraries.take_wrong() && libraries.wrong() <= 20) {
-            std::fprintf(stderr, "  seed %llu turn %llu kind %s:",
-                         static_cast<unsigned long long>(seed),
-                         static_cast<unsigned long long>(turn),
-                         std::string(name_of(kind)).c_str());
+            std::fprintf(stderr,
+                         "  seed %llu turn %llu kind %s:", static_cast<unsigned long long>(seed),
+                         static_cast<unsigned long long>(turn), std::string(name_of(kind)).c_str());
             for (const Ball<2>& ball : in_plane.balls)
                 std::fprintf(stderr, " %a %a %a", ball.centre[0], ball.centre[1], ball.size);
             std::fprintf(stderr, " |");
             for (const Ball<3>& ball : in_space.balls)
-                std::fprintf(stderr, " %a %a %a %a", ball.centre[0], ball.centre[1],
-                             ball.centre[2], ball.size);
+                std::fprintf(stderr, " %a %a %a %a", ball.centre[0], ball.centre[1], ball.centre[2],
+                             ball.size);
             std::fprintf(stderr, "\n");
         }
     }

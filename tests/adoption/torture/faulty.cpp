@@ -119,16 +119,12 @@ double incircle(const double* a, const double* b, const double* c, const double*
             return (square(r[0], 2) * minor(r[1], r[2]) + square(r[1], 2) * minor(r[2], r[0])) +
                    square(r[2], 2) * minor(r[0], r[1]);
         },
-        [](const double* const* p) {
-            return signum::shewchuk::incircle(p[0], p[1], p[2], p[3]);
-        });
+        [](const double* const* p) { return signum::shewchuk::incircle(p[0], p[1], p[2], p[3]); });
 }
 double orient3d(const double* a, const double* b, const double* c, const double* d) {
     return decide<2, 3, 4>(
         {a, b, c, d}, (7 + 56 * u) * u, [](auto& r) { return minor(r[0], r[1], r[2]); },
-        [](const double* const* p) {
-            return signum::shewchuk::orient3d(p[0], p[1], p[2], p[3]);
-        });
+        [](const double* const* p) { return signum::shewchuk::orient3d(p[0], p[1], p[2], p[3]); });
 }
 double insphere(const double* a, const double* b, const double* c, const double* d,
                 const double* e) {

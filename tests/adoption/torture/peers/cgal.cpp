@@ -18,8 +18,7 @@ int incircle(const double* a, const double* b, const double* c, const double* d)
 int orient3d(const double* a, const double* b, const double* c, const double* d) {
     return CGAL::orientation(solid(a), solid(b), solid(c), solid(d));
 }
-int insphere(const double* a, const double* b, const double* c, const double* d,
-             const double* e) {
+int insphere(const double* a, const double* b, const double* c, const double* d, const double* e) {
     return CGAL::side_of_oriented_sphere(solid(a), solid(b), solid(c), solid(d), solid(e));
 }
 }
