@@ -3,18 +3,19 @@ _signum() {
     local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]} options='' words=''
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
-        mapfile -t COMPREPLY < <(compgen -W 'triangulate voronoi compare sign generate validate study simulate --help --version' -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W 'triangulate voronoi compare sign generate validate study simulate torture --help --version' -- "$word")
         return
     fi
     case $command in
         triangulate) options='--help --columns --metric --weight-is --seed --threads --quiet --dimension --read-as --method --order --arithmetic --memory --resume --output --format --clip --vertices --stats --check' ;;
         voronoi) options='--help --columns --metric --weight-is --seed --threads --quiet --dimension --read-as --clip --tolerance --carry --merge --output --format' ;;
         compare) options='--help --columns --metric --weight-is --seed --threads --quiet --dimension --read-as --arithmetic --against --seconds --json --output --format' ;;
-        sign) options='--help --dimension --sphere --metric --weight-is --json' ;;
+        sign) options='--help --dimension --sphere --metric --weight-is --json --explain' ;;
         generate) options='--help --dimension -n --radius --perturb --seed --output --format' ;;
-        validate) options='--help --columns --read-as --threads --quiet' ;;
+        validate) options='--help --columns --read-as --finite --from-one --weight-is --output --format --threads --quiet' ;;
         study) options='--help --motion --dimension --output --quick --metric --sites --seconds --fresh --no-report --quiet' ;;
         simulate) options='--help --set --until --events --box --periodic --gravity --restitution --wall-restitution --structure --arithmetic --output --format --every --show --closest --save --resume --explain --stats --quiet' ;;
+        torture) options='--help --orient --incircle --orient --insphere --init --returns --seconds --seed --output --format --json --quiet' ;;
     esac
     [ "$COMP_CWORD" -eq 2 ] && [[ $word != -* ]] && before=
     case $command:$before in
@@ -38,6 +39,7 @@ _signum() {
         generate:) words='random circle square grid lattice rings offset tangent hard sphere cube' ;;
         generate:--dimension) words='2 3' ;;
         validate:--read-as) words='text xyz pdb pqr ply npy f64 node' ;;
+        validate:--weight-is) words='radius weight' ;;
         study:--dimension) words='2 3' ;;
     esac
     if [ -n "$words" ]; then
