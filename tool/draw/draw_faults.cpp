@@ -13,13 +13,13 @@ namespace {
 constexpr double width = 900.0;
 
 /// Of the picture: x to the right, y down.
-struct Frame {
+struct FittedSites {
     double left;
     double top;
     double scale;
     double height;
 
-    explicit Frame(const StridedSites& sites) {
+    explicit FittedSites(const StridedSites& sites) {
         constexpr double most = std::numeric_limits<double>::infinity();
         double low_x = most, high_x = -most, low_y = most, high_y = -most;
         for (std::size_t i = 0; i < sites.size(); ++i) {
@@ -53,7 +53,7 @@ constexpr std::array<Look, 3> looks = {{{FiniteFault::conflict, "#d55e00", "a si
 
 void draw_faults(std::ostream& out, std::span<const std::array<Index, 3>> faces,
                  const StridedSites& sites, const FiniteValidation& judged) {
-    const Frame frame(sites);
+    const FittedSites frame(sites);
     const auto path_of = [&](std::size_t f) {
         std::string path;
         for (const Index i : faces[f]) {
