@@ -17,7 +17,7 @@
 namespace signum::cli {
 namespace {
 
-constexpr std::array<Format, 3> formats = {
+constexpr std::array<Format, 3> report_formats = {
     {{"txt", "for people"}, {"json", "for programs"}, {"html", "a page with pictures"}}};
 
 /// The call as it was typed.
@@ -36,7 +36,7 @@ struct TortureCall {
 void run(const TortureCall& call) {
     OutputsCall where = call.outputs;
     if (call.json && where.format.empty()) where.format = "json";
-    const std::vector<Target> targets = targets_of(where, call.plugin, formats);
+    const std::vector<Target> targets = targets_of(where, call.plugin, report_formats);
     const Outputs outputs(targets);
     const torture::Plugin plugin(call.plugin, call.names, call.init, call.returns == "int");
     torture::Options options;
@@ -85,7 +85,7 @@ void add_torture(CLI::App& tool) {
     add_checked(*command, "--seconds", call->seconds, "N", number_from(1.0, 1e6),
                 "For how long the functions are asked");
     add_checked(*command, "--seed", call->seed, "N", whole_number(), "Other questions");
-    add_outputs(*command, call->outputs, formats, "the report goes to standard output");
+    add_outputs(*command, call->outputs, report_formats, "the report goes to standard output");
     command->add_flag("--json", call->json, "The same as --format json");
     command->add_flag("--quiet", call->quiet, "No progress on standard error");
     command->footer(

@@ -37,7 +37,7 @@ struct ValidateCall {
     OutputsCall outputs;
 };
 
-constexpr std::array<Format, 2> formats = {{{"json", "the judgement, with all faces at fault"},
+constexpr std::array<Format, 2> judgement_formats = {{{"json", "the judgement, with all faces at fault"},
                                             {"svg", "a picture of them", Dimension::two, ""}}};
 
 Validation judged_in_space(const ValidateCall& call, const ReadTessellation& read) {
@@ -127,7 +127,7 @@ void run_finite(const ValidateCall& call) {
         sites, call.weight_is == name_of(WeightIs::weight) ? WeightIs::weight : WeightIs::radius};
     std::vector<Target> targets;
     if (!call.outputs.outputs.empty() || !call.outputs.format.empty())
-        targets = targets_of(call.outputs, call.tessellation, formats);
+        targets = targets_of(call.outputs, call.tessellation, judgement_formats);
     if (in_space && is_written(targets, "svg"))
         throw CallError("pictures are of the plane; give .json for space");
     const Outputs outputs(targets);
@@ -223,7 +223,7 @@ void add_validate(CLI::App& tool) {
     command->add_flag("--from-one", call->from_one,
                       "With --finite: the faces number the sites from 1, not 0");
     add_weight_is(*command, call->weight_is, "with --finite radius");
-    add_outputs(*command, call->outputs, formats, "with --finite; nothing without -o");
+    add_outputs(*command, call->outputs, judgement_formats, "with --finite; nothing without -o");
     add_threads(*command, call->threads);
     command->add_flag("--quiet", call->quiet, "No progress on standard error");
     command->footer(

@@ -10,7 +10,7 @@
 namespace signum {
 namespace {
 
-constexpr double width = 900.0;
+constexpr double fault_width = 900.0;
 
 /// Of the picture: x to the right, y down.
 struct FittedSites {
@@ -31,7 +31,7 @@ struct FittedSites {
         }
         // Halves, for a difference may overflow.
         const double across = std::max(high_x / 2 - low_x / 2, high_y / 2 - low_y / 2);
-        scale = across > 0.0 ? (width - 40) / across / 2 : 1.0;
+        scale = across > 0.0 ? (fault_width - 40) / across / 2 : 1.0;
         left = low_x;
         top = high_y;
         height = (high_y / 2 - low_y / 2) * 2 * scale + 90;
@@ -70,7 +70,7 @@ void draw_faults(std::ostream& out, std::span<const std::array<Index, 3>> faces,
                "path{{stroke-linejoin:round}}</style>\n"
                "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
                "<path fill=\"none\" stroke=\"#999\" stroke-width=\"0.7\" d=\"",
-               width, frame.height);
+               fault_width, frame.height);
     for (std::size_t f = 0; f < std::min(faces.size(), most_faces_drawn); ++f) out << path_of(f);
     out << "\"/>\n";
     for (const Look& look : looks)

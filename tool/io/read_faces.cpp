@@ -15,6 +15,7 @@
 #include "read_sites.hpp"
 
 namespace signum {
+namespace faces {
 namespace {
 
 constexpr std::string_view kind = "a file of faces";
@@ -290,9 +291,11 @@ FacesFile read_array(const std::string& path) {
 }
 
 }  // namespace
+}  // namespace faces
 
 FacesFile read_faces(const std::string& path) {
     const std::size_t point = path.rfind('.');
+    using namespace faces;
     std::string ending = point == std::string::npos ? "" : path.substr(point + 1);
     std::ranges::transform(ending, ending.begin(), [](unsigned char c) {
         return c < 128 ? static_cast<char>(std::tolower(c)) : static_cast<char>(c);
