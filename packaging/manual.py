@@ -22,7 +22,7 @@ class Entry:
         self.head = head
         self.lines = []
         call = re.split(" Excludes:| REQUIRED", head)[0]
-        self.name = next(iter(re.findall(r"--[a-z][a-z-]*", call)), call.split(" ")[0])
+        self.name = next(iter(re.findall(r"--[a-z][a-z0-9-]*", call)), call.split(" ")[0])
         self.takes = re.sub(r"^\S+ ?|=.*", "", call)  # its argument; nothing where it is a flag
 
     def words(self):
@@ -158,7 +158,7 @@ def main():
     # The help was understood: each option of two dashes that stands in its left column is among those that complete.
     for name, help in commands.items():
         shown = subprocess.run([program, name, "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout
-        listed = set(re.findall(r"^  (?:-\w,)?(--[a-z-]+)", shown, re.MULTILINE))
+        listed = set(re.findall(r"^  (?:-\w,)?(--[a-z0-9-]+)", shown, re.MULTILINE))
         missing = listed - {option.name for option in help.options()}
         if missing or not listed:
             sys.exit(f"manual.py does not understand what signum {name} --help says of {missing or 'options'}")

@@ -31,7 +31,7 @@ expect "$(complete_ signum triangulate --metric s)" supremum
 expect "$(complete_ signum sign in_)" "in_circle in_sphere"
 expect "$(complete_ signum simulate --wall)" --wall-restitution
 for command in $("$2" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do
-  for option in $("$2" "$command" --help | sed -n 's/^  \(-[a-z],\)\{0,1\}\(--[a-z-]*\).*/\2/p'); do
+  for option in $("$2" "$command" --help | sed -n 's/^  \(-[a-z],\)\{0,1\}\(--[a-z0-9-]*\).*/\2/p'); do
     expect "$(complete_ signum "$command" "$option" | tr ' ' '\n' | grep -x -e "$option")" "$option"
     grep -q -e "'\*$option\[" "$SOURCES/packaging/completions/_signum" || { echo "zsh: $option"; exit 1; }
     grep -q -F -e "${option//-/\\-}" "$SOURCES/packaging/signum.1" || { echo "signum.1: $option"; exit 1; }
