@@ -164,9 +164,9 @@ def section(path, includes):
 
 
 def made_source(version):
-    includes = {"<immintrin.h>", "<cfenv>", "<initializer_list>"}
+    includes = {"<initializer_list>"}
     sections = [section(path, includes) for path in SOURCES]
-    # Those that floating_environment.hpp asks for under a condition stand in parts/words.hpp.
+    # Those that floating_environment.hpp asks for under a condition stand in parts/guard.hpp.
     conditional = {"<immintrin.h>", "<cfenv>"}
     unknown = {"<bit>", "<span>", "<concepts>", "<compare>"}
     lines = "".join(f"#include {each}\n" for each in sorted(includes - conditional - unknown))

@@ -56,6 +56,10 @@ constexpr auto nearer_in_space = [](const Point3& p, const Site3& a, const Site3
     return power::nearer_decision(p, a, b).sign;
 };
 
+[[nodiscard]] bool are_finite(std::span<const double> numbers) noexcept {
+    return std::ranges::all_of(numbers, [](double number) { return number - number == 0.0; });
+}
+
 /// Of rows of two numbers.
 template <std::size_t n, class Ask>
 [[nodiscard]] int answer_batch(const Ask& ask, const std::array<const double*, n>& rows,
@@ -64,10 +68,7 @@ template <std::size_t n, class Ask>
     if (signs == nullptr) return SIGNUM_NO_SIGN;
     std::array<StridedSites, n> sites;
     for (std::size_t m = 0; m < n; ++m) {
-        if (rows[m] == nullptr) return SIGNUM_NO_SIGN;
-        const std::span<const double> numbers(rows[m], 2 * count);
-        if (!std::ranges::all_of(numbers, [](double x) { return x - x == 0.0; }))
-            return SIGNUM_NO_SIGN;
+        if (rows[m] == nullptr || !are_finite({rows[m], 2 * count})) return SIGNUM_NO_SIGN;
         sites[m] = StridedSites(std::span(reinterpret_cast<const Point*>(rows[m]), count));
     }
     ask(sites, {signs, count});
@@ -186,7 +187,6 @@ int signum_sign_of_sum(const double* terms, size_t count) {
     if (count == 0) return 0;
     if (terms == nullptr || count >= std::size_t{1} << 32) return SIGNUM_NO_SIGN;
     const std::span<const double> all(terms, count);
-    if (!std::ranges::all_of(all, [](double term) { return term - term == 0.0; }))
-        return SIGNUM_NO_SIGN;
+    if (!c::are_finite(all)) return SIGNUM_NO_SIGN;
     return sign_of_sum(all);
 }

@@ -10,22 +10,11 @@
 #include "names.hpp"
 #include "parts.hpp"
 #include "results.hpp"
+#include "space_sites.hpp"
 #include "watched.hpp"
 
 namespace signum::python {
 namespace {
-
-template <class S>
-std::vector<S> sites_in_space(const Rows& rows) {
-    std::vector<S> sites;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if constexpr (std::is_same_v<S, Point3>)
-            sites.push_back({rows.at(i, 0), rows.at(i, 1), rows.at(i, 2)});
-        else
-            sites.push_back({rows.at(i, 0), rows.at(i, 1), rows.at(i, 2), rows.at(i, 3)});
-    }
-    return sites;
-}
 
 std::string word_of(FiniteFault fault) {
     constexpr std::array names = {"number", "flat", "overlap", "conflict"};
@@ -47,22 +36,20 @@ FiniteValidation validated_finite(const py::object& sites, const py::object& sim
     const int count = threads_of(threads);
     const py::array shape = py::array::ensure(simplices);
     const bool in_space = shape && shape.ndim() == 2 && shape.shape(1) == 4;
-    const Rows rows(sites, "sites", in_space ? 3 : 2, in_space ? 4 : 3);
-    refuse_too_many(rows.size());
     const auto judged = [&](const auto& cells, const auto& those) {
         return watched(progress, [&](Watch& watch) {
             return validate_finite(cells, those, {watch.token(), watch.progress(), count});
         });
     };
-    if (!in_space)
+    if (!in_space) {
+        const Rows rows(sites, "sites", 2, 3);
+        refuse_too_many(rows.size());
         return judged(rows_of<std::array<Index, 3>>(simplices, "simplices"), rows.sites(weights));
-    const auto cells = rows_of<std::array<Index, 4>>(simplices, "simplices");
-    const auto of = [&]<class S>(S) {
-        const std::vector<S> those = sites_in_space<S>(rows);
-        return judged(cells, std::span<const S>(those));
-    };
-    if (rows.columns() == 3) return of(Point3{});
-    return weights ? of(power::Site3{}) : of(Site3{});
+    }
+    return with_sites(sites_of(sites, weights), [&](auto those) {
+        refuse_too_many(those.size());
+        return judged(rows_of<std::array<Index, 4>>(simplices, "simplices"), those);
+    });
 }
 
 void bind_finite(py::module_& module) {

@@ -19,12 +19,11 @@
 #include "names.hpp"
 #include "parts.hpp"
 #include "results.hpp"
+#include "space_sites.hpp"
 #include "watched.hpp"
 
 namespace signum::python {
 namespace {
-
-using Sites = std::variant<std::vector<Point3>, std::vector<Site3>, std::vector<power::Site3>>;
 
 /// A tessellation with its sites, which the library's own leaves to its caller.
 struct Space {
@@ -32,34 +31,10 @@ struct Space {
     SpaceTessellation tessellation;
 };
 
-/// ask() of the sites in their own type.
-template <class Ask>
-auto with_sites(const Sites& sites, Ask ask) {
-    return std::visit([&](const auto& all) { return ask(std::span(all)); }, sites);
-}
-
 struct SpaceClip {
     std::shared_ptr<const Space> space;
     SpaceCells cells;
 };
-
-template <class S>
-std::vector<S> copied(const Rows& rows) {
-    std::vector<S> sites(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if constexpr (std::is_same_v<S, Point3>)
-            sites[i] = {rows.at(i, 0), rows.at(i, 1), rows.at(i, 2)};
-        else
-            sites[i] = {rows.at(i, 0), rows.at(i, 1), rows.at(i, 2), rows.at(i, 3)};
-    }
-    return sites;
-}
-Sites sites_of(const py::object& object, bool weights) {
-    const Rows rows(object, "sites", 3, 4);
-    if (rows.columns() == 3) return copied<Point3>(rows);
-    if (weights) return copied<power::Site3>(rows);
-    return copied<Site3>(rows);
-}
 
 std::shared_ptr<Space> triangulated_space(const py::object& sites, const std::string& weight_is,
                                           const std::string& arithmetic, std::uint64_t seed,

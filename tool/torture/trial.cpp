@@ -105,11 +105,10 @@ End guarded(Shared& shared, double patience, const Work& work) {
 double watched(const Plugin& plugin, Shared& shared, const Question& question) {
     shared.current = question;
     ++shared.beats;
-    const double said = plugin.ask(question);
-    // The next exact sign is computed as this one, whatever the plugin did to the environment.
-    return said;
+    return plugin.ask(question);
 }
 
+/// In the default environment, whatever the plugin has left behind.
 Sign right_in(Convention convention, const Question& question) {
     const exact::IeeeEnvironment environment;
     const Sign sign = exact_sign(question);

@@ -103,7 +103,7 @@ void ask_power_circles(Libraries& libraries, int environment, const Configuratio
                       Number(n[0].data()), Number(n[1].data()), Number(n[2].data()));
 }
 
-/// Of a metric that takes radii. `is_power`: whose circles need not exist.
+/// Of a metric that takes radii.
 template <class Predicates>
 void ask_metric(Libraries& libraries, int environment, int metric, const Configuration<2>& given,
                 const std::array<std::array<double, 3>, 4>& n) {
