@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # Installs what is missing: on Debian and its relatives with apt-get, and only as root.
 #
-#   scripts/install_dependencies.sh [build|test|benchmark|mpi]
+#   scripts/install_dependencies.sh [build|test|benchmark|mpi|peers]
 #
 # build      what the library and the tool need (the default)
 # test       the same, and what the tests need
 # benchmark  the same as build, and what the benchmarks need, the peers in space included
 # mpi        the same as build, and what signum-mpi needs (docs/scale.md)
+# peers      the same as test, and what scripts/museum.py and scripts/torture_peers.sh ask, and other
+#            compilers and systems for the two files of single/
 #
 # Quiet and quick when everything is there. Otherwise and not as root: prints the one line to type and
 # ends with exit code 3, as it does where the compiler is too old.
@@ -23,6 +25,7 @@ test=("${build[@]}" libgtest-dev librapidcheck-dev gnuplot-nox valgrind gappa do
 # The last three are the peers in space.
 benchmark=("${build[@]}" libbenchmark-dev libcgal-dev voro++-dev voronota)
 mpi=("${build[@]}" pkg-config openmpi-bin libopenmpi-dev libhdf5-openmpi-dev)
+peers=("${test[@]}" python3-vtk9 libtet1.5-dev libgeos-dev libjts-java default-jdk-headless npm gfortran g++-multilib g++-mingw-w64-x86-64 wine64)
 
 say() { printf 'signum: %s\n' "$*" >&2; }
 
@@ -34,6 +37,8 @@ probe() {
     ninja-build) command -v ninja >/dev/null ;;
     gappa | doxygen | valgrind | lintian) command -v "$1" >/dev/null ;;
     gnuplot-nox) command -v gnuplot >/dev/null ;;
+    npm | gfortran) command -v "$1" >/dev/null ;;
+    default-jdk-headless) command -v javac >/dev/null ;;
     voronota) command -v voronota >/dev/null ;;
     *) dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed ;;
   esac
@@ -63,8 +68,9 @@ case ${1:-build} in
   test) wanted=("${test[@]}") ;;
   benchmark) wanted=("${benchmark[@]}") ;;
   mpi) wanted=("${mpi[@]}") ;;
+  peers) wanted=("${peers[@]}") ;;
   *)
-    say "install_dependencies.sh: '$1' is none of build, test, benchmark, mpi"
+    say "install_dependencies.sh: '$1' is none of build, test, benchmark, mpi, peers"
     exit 2
     ;;
 esac

@@ -20,12 +20,12 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 g++ -std=c++17 -O2 -fPIC -c single/signum_predicates.cpp -o "$scratch/predicates.o"
 
-printf '| | function | ordinary numbers | where products over- or underflow | the simplest of the wrong answers |\n|---|---|--:|--:|---|\n'
+printf '| | function | ordinary numbers | points of the museum | where products over- or underflow | the simplest of the wrong answers |\n|---|---|--:|--:|--:|---|\n'
 # row NAME LIBRARY OPTION...
 row() {
   local name=$1 library=$2
   shift 2
-  "$signum" torture "$library" "$@" --seconds "$seconds" --quiet -o "$scratch/report.json" 2> /dev/null || true
+  "$signum" torture "$library" "$@" --sites tests/hard/museum/*.txt --seconds "$seconds" --quiet -o "$scratch/report.json" 2> /dev/null || true
   python3 - "$name" "$scratch/report.json" << 'P'
 import json, sys
 name, path = sys.argv[1:]
@@ -34,14 +34,15 @@ for function, said in json.load(open(path))["functions"].items():
     if not said["found"]:
         continue
     def share(which):
-        asked = sum(f["asked"] for n, f in said["families"].items() if (n in far) == which)
-        wrong = sum(f["wrong"] for n, f in said["families"].items() if (n in far) == which)
+        asked = sum(f["asked"] for n, f in said["families"].items() if which(n))
+        wrong = sum(f["wrong"] for n, f in said["families"].items() if which(n))
         return f"{wrong} of {asked} wrong" if wrong else f"none of {asked}"
     smallest = said.get("smallest")
     example = "" if smallest is None else (
         f"`{' '.join(smallest['numbers'])}` is {smallest['right']}, not {smallest['said']}")
     lost = f", {len(said['lost'])} calls lost" if said["lost"] else ""
-    print(f"| {name} | {function} | {share(False)}{lost} | {share(True)} | {example} |")
+    print(f"| {name} | {function} | {share(lambda n: n != 'own' and n not in far)}{lost} "
+          f"| {share(lambda n: n == 'own')} | {share(lambda n: n in far)} | {example} |")
 P
 }
 # build NAME COMMAND...: false where it does not compile.

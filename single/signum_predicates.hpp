@@ -388,6 +388,28 @@ template <class P, class Q, class R, class S, class T>
 }
 }  // namespace cgal
 
+/// GEO::PCK. Its in_circle_2d_SOS and in_sphere_3d_SOS, whose triangle and tetrahedron turn
+/// positively, give ties a side; here a tie is 0.
+namespace geogram {
+template <class A, class B, class C>
+[[nodiscard]] Sign orient_2d(const A& a, const B& b, const C& c) noexcept {
+    return ccw(a, b, c);
+}
+template <class A, class B, class C, class D>
+[[nodiscard]] Sign orient_3d(const A& a, const B& b, const C& c, const D& d) noexcept {
+    return ccw(a, b, c, d);
+}
+template <class A, class B, class C, class D>
+[[nodiscard]] Sign in_circle_2d(const A& a, const B& b, const C& c, const D& d) noexcept {
+    return in_circle_determinant(a, b, c, d);
+}
+template <class A, class B, class C, class D, class E>
+[[nodiscard]] Sign in_sphere_3d(const A& a, const B& b, const C& c, const D& d,
+                                const E& e) noexcept {
+    return in_sphere_determinant(a, b, c, d, e);
+}
+}  // namespace geogram
+
 }  // namespace alone
 }  // namespace signum
 

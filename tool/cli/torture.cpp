@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
+#include "sites_call.hpp"
 
 namespace signum::cli {
 namespace {
@@ -28,6 +29,7 @@ struct TortureCall {
     std::string returns = "double";
     double seconds = 60.0;
     std::uint64_t seed = 1;
+    std::vector<std::string> sites;
     bool json = false;
     bool quiet = false;
     OutputsCall outputs;
@@ -42,6 +44,12 @@ void run(const TortureCall& call) {
     torture::Options options;
     options.seconds = call.seconds;
     options.seed = call.seed;
+    for (const std::string& path : call.sites) {
+        const SitesFile file =
+            read_sites(path, {.dimension = std::nullopt, .input = input_of(path, "")});
+        options.own.push_back(file.dimension == 3 ? torture::own_points(file.in_space)
+                                                  : torture::own_points(file.sites));
+    }
     const torture::Report report{call.plugin, call.seconds,
                                  with_progress(call.quiet, [&](const auto& show) {
                                      options.progress = show;
@@ -85,6 +93,11 @@ void add_torture(CLI::App& tool) {
     add_checked(*command, "--seconds", call->seconds, "N", number_from(1.0, 1e6),
                 "For how long the functions are asked");
     add_checked(*command, "--seed", call->seed, "N", whole_number(), "Other questions");
+    command
+        ->add_option("--sites", call->sites,
+                     "Points of your own, in plane or space: the functions\nare asked of "
+                     "neighbours among them, too; several files\nare allowed")
+        ->type_name("FILE");
     add_outputs(*command, call->outputs, report_formats, "the report goes to standard output");
     command->add_flag("--json", call->json, "The same as --format json");
     command->add_flag("--quiet", call->quiet, "No progress on standard error");
@@ -94,7 +107,8 @@ void add_torture(CLI::App& tool) {
         "than two seconds is reported, and the rest goes on. Exit 1 where anything is wrong.\n\n"
         "Example:\n"
         "  cc -O2 -shared -fPIC predicates.c -o mine.so\n"
-        "  signum torture mine.so -o report.html");
+        "  signum torture mine.so -o report.html\n"
+        "  signum torture mine.so --sites crashed.txt --seconds 5");
     command->callback([call] { run(*call); });
 }
 

@@ -24,9 +24,10 @@ enum : std::size_t {
     far,
     extremes,
     raw,
-    worst_rounding
+    worst_rounding,
+    own
 };
-constexpr std::array<Family, 12> all_families = {
+constexpr std::array<Family, 13> all_families = {
     {{"random", "uniform in the square or cube: what every test asks"},
      {"lattice", "integers below 2^53, most of them exact ties, with copies and mirror images"},
      {"ulps", "such ties, of which one to three numbers are moved by at most 4 ulps"},
@@ -43,7 +44,8 @@ constexpr std::array<Family, 12> all_families = {
      {"rounding",
       "points for which doubles have the wrong sign by as much as a search finds: a "
       "filter's bound must be greater",
-      50}}};
+      50},
+     {"own", "points of the files given with --sites, most of them neighbours"}}};
 
 Point plane_point(const Question& q, std::size_t m) {
     return {q.point(m)[0], q.point(m)[1]};
@@ -196,7 +198,14 @@ std::span<const Family> families() noexcept {
     return all_families;
 }
 
+bool Maker::has(Asked asked, std::size_t family) const {
+    return family != own || std::ranges::any_of(own_, [&](const OwnPoints& each) {
+               return each.dimension == dimension_of(asked);
+           });
+}
+
 Question Maker::make(Asked asked, std::size_t family) {
+    if (family == own) return make_own(asked);
     if (family == worst_rounding) return make_worst(asked);
     return dimension_of(asked) == 2 ? made(plane_, asked, family) : made(space_, asked, family);
 }
@@ -214,7 +223,6 @@ Question Maker::make_clear(Asked asked) {
 /// rounded; then numbers are moved by ulps as long as that does not make it better.
 Question Maker::make_worst(Asked asked) {
     constexpr int steps = 1000;
-    const auto below = [&](std::uint64_t end) { return random_() % end; };
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
     Question question{asked, {}};
     const std::size_t last = question.size() - dimension_of(asked);
@@ -228,10 +236,11 @@ Question Maker::make_worst(Asked asked) {
     double most = wrong_by(question);
     for (int step = 0; step < steps; ++step) {
         Question moved = question;
-        for (std::uint64_t many = 1 + below(3); many > 0; --many) {
+        for (std::size_t many = 1 + below(3); many > 0; --many) {
             double& number = moved.numbers[below(moved.size())];
-            const auto range = static_cast<std::int64_t>(std::uint64_t{1} << below(6));
-            const std::int64_t ulps = static_cast<std::int64_t>(below(2 * range + 1)) - range;
+            const std::size_t range = std::size_t{1} << below(6);
+            const auto ulps =
+                static_cast<std::int64_t>(below(2 * range + 1)) - static_cast<std::int64_t>(range);
             number += std::ldexp(static_cast<double>(ulps), std::ilogb(number) - 52);
         }
         if (const double now = wrong_by(moved); now >= most) {
@@ -239,6 +248,25 @@ Question Maker::make_worst(Asked asked) {
             question = moved;
         }
     }
+    return question;
+}
+
+/// Of four questions three have neighbours, in any order, and one has any points.
+Question Maker::make_own(Asked asked) {
+    const std::size_t d = dimension_of(asked);
+    std::size_t n = below(own_.size());
+    while (own_[n].dimension != d) n = (n + 1) % own_.size();
+    const OwnPoints& own = own_[n];
+    std::array<Index, 5> chosen{};
+    if (!own.beside.empty() && below(4) != 0)
+        chosen = own.beside[below(own.beside.size())];
+    else
+        for (Index& each : chosen) each = static_cast<Index>(below(own.points.size()));
+    for (std::size_t m = d + 1; m > 0; --m) std::swap(chosen[m], chosen[below(m + 1)]);
+    Question question{asked, {}};
+    for (std::size_t m = 0; m < points_of(asked); ++m)
+        std::ranges::copy_n(own.points[static_cast<std::size_t>(chosen[m])].begin(),
+                            static_cast<std::ptrdiff_t>(d), &question.numbers[m * d]);
     return question;
 }
 

@@ -10,6 +10,7 @@
 
 #include "../../core/sign.hpp"
 #include "../generate/hard.hpp"
+#include "own_points.hpp"
 
 namespace signum::torture {
 
@@ -59,7 +60,10 @@ struct Family {
 /// Questions of a family, the same for the same seed.
 class Maker {
  public:
-    explicit Maker(std::uint64_t seed) : plane_(seed), space_(seed), random_(seed) {}
+    explicit Maker(std::uint64_t seed, std::span<const OwnPoints> own = {})
+        : plane_(seed), space_(seed), random_(seed), own_(own) {}
+    /// Whether the family has questions for the function: that of somebody's own points may lack.
+    [[nodiscard]] bool has(Asked asked, std::size_t family) const;
     [[nodiscard]] Question make(Asked asked, std::size_t family);
     /// One whose points are far from a tie, among small integers.
     [[nodiscard]] Question make_clear(Asked asked);
@@ -68,10 +72,14 @@ class Maker {
     template <std::size_t d>
     [[nodiscard]] Question made(hard::Moves<d>& moves, Asked asked, std::size_t family);
     [[nodiscard]] Question make_worst(Asked asked);
+    [[nodiscard]] Question make_own(Asked asked);
+    /// Whole numbers from 0 on, below `end`.
+    [[nodiscard]] std::size_t below(std::size_t end) { return random_() % end; }
 
     hard::Moves<2> plane_;
     hard::Moves<3> space_;
     std::mt19937_64 random_;
+    std::span<const OwnPoints> own_;
 };
 
 }  // namespace signum::torture

@@ -133,6 +133,7 @@ std::string as_json(const Report& report) {
         of_function["wrong"] = trial.wrong();
         for (std::size_t family = 0; family < trial.counts.size(); ++family) {
             const Count& count = trial.counts[family];
+            if (count.asked == 0) continue;
             of_function["families"][std::string(families()[family].name)] = {
                 {"asked", count.asked}, {"wrong", count.wrong}, {"nan", count.not_a_number}};
         }
@@ -185,6 +186,7 @@ code {{ overflow-wrap: anywhere }} figure {{ display: inline-block; margin: 0 1e
             name_of(asked), verdict_of(trial), name_of(trial.convention));
         for (std::size_t family = 0; family < trial.counts.size(); ++family) {
             const Count& count = trial.counts[family];
+            if (count.asked == 0) continue;
             page += fmt::format(
                 "<tr><td>{}</td><td>{}</td><td class=\"{}\">{}</td><td>{}</td><td>{}</td></tr>\n",
                 families()[family].name, count.asked, count.wrong > 0 ? "wrong" : "", count.wrong,

@@ -266,8 +266,9 @@ std::array<Trial, functions> torture(const Plugin& plugin, const Options& option
                 const Asked asked = all_asked[turn % functions];
                 const std::size_t family = turn / functions % all_of_them;
                 if (!plugin.has(asked) || is_lost[place_of(asked)][family]) continue;
+                Maker maker(options.seed + turn * 0x9E3779B97F4A7C15U, options.own);
+                if (!maker.has(asked, family)) continue;
                 shared.family = family;
-                Maker maker(options.seed + turn * 0x9E3779B97F4A7C15U);
                 for (int k = 0; k < families()[family].in_a_row; ++k)
                     ask(plugin, shared, maker.make(asked, family), family);
             }

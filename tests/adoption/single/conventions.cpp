@@ -14,6 +14,11 @@
 #if defined(SIGNUM_WITH_CGAL)
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #endif
+#if defined(SIGNUM_WITH_GEOGRAM)
+#include <geogram/basic/environment.h>
+#include <geogram/basic/logger.h>
+#include <geogram/numerics/predicates.h>
+#endif
 #if defined(SIGNUM_WITH_TETGEN)
 void exactinit(int, int, int, double, double, double);
 double orient3d(double* a, double* b, double* c, double* d);
@@ -43,6 +48,12 @@ int main(int count, char** words) {
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
 #if defined(SIGNUM_WITH_TETGEN)
     exactinit(0, 0, 0, 1.0, 1.0, 1.0);
+#endif
+#if defined(SIGNUM_WITH_GEOGRAM)
+    GEO::Environment::instance();
+    GEO::Logger::initialize();
+    GEO::PCK::initialize();
+    GEO::PCK::set_SOS_mode(GEO::PCK::SOS_LEXICO);
 #endif
     double p[5][3];
     std::uint64_t turn = 0;
@@ -87,6 +98,22 @@ int main(int count, char** words) {
                 sign(orient3d(p[0], p[1], p[2], p[3])), "Shewchuk's orient3d");
         compare(signum::shewchuk::insphere(p[0], p[1], p[2], p[3], p[4]),
                 sign(insphere(p[0], p[1], p[2], p[3], p[4])), "Shewchuk's insphere");
+#endif
+#if defined(SIGNUM_WITH_GEOGRAM)
+        namespace pck = GEO::PCK;
+        const int turn_2d = signum::geogram::orient_2d(p[0], p[1], p[2]);
+        const int turn_3d = signum::geogram::orient_3d(p[0], p[1], p[2], p[3]);
+        compare(turn_2d, pck::orient_2d(p[0], p[1], p[2]), "Geogram's orient_2d");
+        compare(turn_3d, pck::orient_3d(p[0], p[1], p[2], p[3]), "Geogram's orient_3d");
+        // It gives ties a side, and wants positive turns.
+        const int circle = signum::geogram::in_circle_2d(p[0], p[1], p[2], p[3]);
+        const int sphere = signum::geogram::in_sphere_3d(p[0], p[1], p[2], p[3], p[4]);
+        if (turn_2d > 0 && circle != 0)
+            compare(circle, pck::in_circle_2d_SOS(p[0], p[1], p[2], p[3]),
+                    "Geogram's in_circle_2d_SOS");
+        if (turn_3d > 0 && sphere != 0)
+            compare(sphere, pck::in_sphere_3d_SOS(p[0], p[1], p[2], p[3], p[4]),
+                    "Geogram's in_sphere_3d_SOS");
 #endif
         // What both conventions of the plane say of the same question.
         compare(signum::shewchuk::orient2d(p[0], p[1], p[2]), signum::ccw(p[0], p[1], p[2]),

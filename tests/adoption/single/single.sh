@@ -54,7 +54,11 @@ fi
 if command -v x86_64-w64-mingw32-g++ > /dev/null; then
   x86_64-w64-mingw32-g++ -std=c++17 -O2 -static -I "$single" "$here/points.cpp" \
     "$single/signum_predicates.cpp" -o points.exe
-  if command -v wine64 > /dev/null; then WINEDEBUG=-all wine64 points.exe; fi
+  # Debian keeps it out of the path.
+  wine=$(command -v wine64 || ls /usr/lib/wine/wine64 2> /dev/null || true)
+  if [ -n "$wine" ]; then
+    WINEPREFIX="$scratch/wine" WINEDEBUG=-all "$wine" points.exe 2> wine.txt || fail "under wine: $(cat wine.txt)"
+  fi
 fi
 
 g++ -std=c++17 -O2 -c "$single/signum_predicates.cpp" -o predicates.o
@@ -66,6 +70,14 @@ gcc -std=c99 -Wall -Wextra -Werror -x c -I "$single" -c "$here/names.c" -o names
 gcc names.o predicates.o -lstdc++ -o names
 [ "$(./names)" = "0 1 1 -2
 0 1" ] || fail "from C: $(./names)"
+if command -v gfortran > /dev/null; then
+  gfortran "$here/names.f90" predicates.o -lstdc++ -o fortran
+  [ "$(./fortran)" = "0 1" ] || fail "from Fortran: $(./fortran)"
+fi
+if command -v rustc > /dev/null; then
+  rustc "$here/names.rs" -C link-args="predicates.o -lstdc++" -o rust
+  [ "$(./rust)" = "0 1" ] || fail "from Rust: $(./rust)"
+fi
 
 # The program of the page, by the line of the page: it prints what its comments say.
 page="$root/docs/backend.md"

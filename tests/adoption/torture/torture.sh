@@ -76,6 +76,23 @@ if command -v gfortran > /dev/null; then
   says "r['functions']['orient2d']['families']['neighbourhood']['wrong'] > 0"
 fi
 
+# Somebody's own points: wrong for one of them alone, which no family has.
+printf '#include <signum_predicates.hpp>\n
+extern "C" double orient2d(const double* a, const double* b, const double* c) {\n
+  return signum::ccw(a, b, c) * (a[0] == 1.3717421248 ? -1 : 1); }\n' > one.cpp
+g++ -std=c++17 -O2 -fPIC -shared -I "$single" one.cpp predicates.o -o one.so
+trial one.so --seconds 1
+[ $code = 0 ] || fail "one: exit $code, $(cat report.json)"
+printf '0 0\n1.3717421248 0.125\n0.25 1\n' > mine.txt
+printf 'x y z\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n' > solid.txt
+trial one.so --seconds 1 --sites mine.txt --sites solid.txt
+[ $code = 1 ] || fail "one with its points: exit $code"
+says "[n for n, f in r['functions']['orient2d']['families'].items() if f['wrong'] > 0] == ['own']"
+plugin -1
+trial ./fault-1.so --seconds 1 --sites mine.txt solid.txt
+[ $code = 0 ] || fail "own points without a fault: exit $code, $(cat report.json)"
+says "all(f['families']['own']['asked'] > 0 for f in r['functions'].values())"
+
 # A wrong call says what would be right.
 refuse() {
   trial "${@:2}"
