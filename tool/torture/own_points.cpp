@@ -15,9 +15,8 @@ void put_beside(const Faces& faces, const Faces& neighbours, OwnPoints& own) {
         for (const Index beyond : neighbours[f]) {
             if (beyond < static_cast<Index>(f)) continue;
             const auto& other = faces[static_cast<std::size_t>(beyond)];
-            const auto apex = std::ranges::find_if(other, [&](Index site) {
-                return std::ranges::find(face, site) == face.end();
-            });
+            const auto apex = std::ranges::find_if(
+                other, [&](Index site) { return std::ranges::find(face, site) == face.end(); });
             if (apex == other.end() || *apex < 0 || std::ranges::min(face) < 0) continue;
             auto& five = own.beside.emplace_back();
             *std::ranges::copy(face, five.begin()).out = *apex;

@@ -60,7 +60,7 @@ struct Options {
     double seconds = 60.0;
     double patience = 2.0;  ///< how long a call may take before it counts as lost, in seconds
     std::uint64_t seed = 1;
-    std::vector<OwnPoints> own;  ///< of which the functions are asked, too
+    std::vector<OwnPoints> own;            ///< of which the functions are asked, too
     std::function<void(double)> progress;  ///< the share that is done
 };
 
