@@ -48,29 +48,25 @@ class Input:
                 rows.append([float(word) for word in line.split()])
         self.title, self.source, self.failed = said["title"], said["source"], said["failed"]
         self.dimension = 3 if "z" in columns else 2
-        self.weight_is = columns[-1] if columns[-1] in ("radius", "weight") else None
+        self.has_weights = columns[-1] == "weight"
         self.rows = rows
         if any(len(row) != len(columns) for row in rows):
             sys.exit(f"{path}: a line does not have {len(columns)} numbers")
-        self.sites = in_integers(rows, self.dimension, self.weight_is)
+        self.sites = in_integers(rows, self.dimension)
 
     @property
     def distinct(self):
         return len(set(self.sites))
 
 
-def in_integers(rows, dimension, weight_is):
+def in_integers(rows, dimension):
     """Sites as integers: coordinates, and their square less the weight."""
     exact = [[Fraction(x) for x in row] for row in rows]
     unit = max(x.denominator for row in exact for x in row)
     sites = []
     for row in exact:
         place = [int(x * unit) for x in row[:dimension]]
-        weight = 0
-        if weight_is == "radius":
-            weight = int(row[dimension] * unit) ** 2
-        elif weight_is == "weight":
-            weight = int(row[dimension] * unit) * unit
+        weight = sum(int(x * unit) * unit for x in row[dimension:])
         sites.append((*place, sum(x * x for x in place) - weight))
     return sites
 
@@ -178,7 +174,7 @@ def judge(sites, d, faces):
     covers = [
         face
         for face in turned
-        if all(turn([larger[i] if i != face[m] else middle for i in face]) > 0 for m in range(d + 1))
+        if all(turn([larger[i] if i != face[m] else middle for i in face]) >= 0 for m in range(d + 1))
     ]
     if len(covers) != 1:
         return "faces that overlap", 0
@@ -287,13 +283,11 @@ def all_peers(scratch, only):
 def said_by(signum, peer, given, scratch):
     """What a peer makes of an input, in a word or two."""
     name, dimensions, weights, command = peer
-    if given.dimension not in dimensions or (given.weight_is and not weights):
+    if given.dimension not in dimensions or (given.has_weights and not weights):
         return ""
     numbers = scratch / "sites.txt"
     with numbers.open("w") as out:
         for row in given.rows:
-            if given.weight_is == "radius":
-                row = [*row[:-1], row[-1] * row[-1]]
             print(*map(repr, row), file=out)
     try:
         said = subprocess.run([*command, numbers, str(given.dimension)], capture_output=True,
@@ -311,7 +305,8 @@ def said_by(signum, peer, given, scratch):
     table = scratch / "faces.csv"
     table.write_text("".join(",".join(map(str, face)) + "\n" for face in faces))
     verdict = scratch / "verdict.json"
-    weight = ["--weight-is", given.weight_is] if given.weight_is else []
+    verdict.unlink(missing_ok=True)
+    weight = ["--weight-is", "weight"] if given.has_weights else []
     judged = subprocess.run([signum, "validate", table, given.path, "--finite", *weight, "-o",
                              verdict, "--quiet"], capture_output=True, text=True)
     read = json.loads(verdict.read_text())
@@ -382,9 +377,9 @@ def main():
         names = [peer[0] for peer in peers]
         page = HEAD
         for title, chosen in (
-            ("The plane", lambda g: g.dimension == 2 and not g.weight_is),
-            ("Space", lambda g: g.dimension == 3 and not g.weight_is),
-            ("Weights", lambda g: g.weight_is),
+            ("The plane", lambda g: g.dimension == 2 and not g.has_weights),
+            ("Space", lambda g: g.dimension == 3 and not g.has_weights),
+            ("Weights", lambda g: g.has_weights),
         ):
             of_part = [k for k, given in enumerate(inputs) if chosen(given)]
             if not of_part:

@@ -4,8 +4,11 @@
 // Copyright (c) 2026 The signum authors
 #ifndef SIGNUM_PREDICATES_HPP
 #define SIGNUM_PREDICATES_HPP
+#if defined(__cplusplus) && __cplusplus < 201703L
+#error "signum needs C++17: compile with -std=c++17"
+#endif
 /* Compile signum_predicates.cpp beside your program: g++ -O2 mine.cpp signum_predicates.cpp. There
- * is nothing to link, to start or to free. Everything is exact for all finite doubles, in every
+ * is no library to link, and nothing to start or to free. Everything is exact for all finite doubles, in every
  * rounding mode, with denormals flushed, in any number of threads.
  *
  * C, Rust, Fortran and others call the functions of C below. C++17 has points of any type beside
@@ -160,9 +163,9 @@ template <class Number>
     static_assert(
         std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>,
         "signum: a coordinate must be a float, a double or an integer of at most 32 bits");
-    static_assert(
-        !std::is_same_v<Number, long double>,
-        "signum: a long double would be rounded to a double, and the sign be another one's");
+    static_assert(!std::is_floating_point_v<Number> || sizeof(Number) <= sizeof(double),
+                  "signum: a long double would be rounded to a double, and the sign be another "
+                  "one's");
     static_assert(
         !std::is_integral_v<Number> || sizeof(Number) <= 4,
         "signum: integers of 64 bits may be no doubles: convert those that are below 2^53");
@@ -224,11 +227,17 @@ struct Disc {
 
 }  // namespace reading
 
-// ---- points of any type
-// -------------------------------------------------------------------------- Precondition of all:
-// finite coordinates; otherwise the answer is no_sign.
+// ---- points of any type ----
 
+// Preconditions: finite coordinates. Otherwise signs are no_sign, and exists and hidden are false.
 inline constexpr int no_sign = SIGNUM_NO_SIGN;
+
+namespace reading {
+/// The sign, or with the way -1 its opposite.
+[[nodiscard]] constexpr Sign turned(Sign way, Sign sign) noexcept {
+    return sign == no_sign ? sign : way * sign;
+}
+}  // namespace reading
 
 /// +1 where a, b, c turn counterclockwise (c lies left of the line from a to b), 0 where they are
 /// collinear, -1 otherwise.
@@ -236,7 +245,8 @@ template <class A, class B, class C>
 [[nodiscard]] Sign ccw(const A& a, const B& b, const C& c) noexcept {
     return signum_ccw(reading::Two(a).numbers, reading::Two(b).numbers, reading::Two(c).numbers);
 }
-/// The sign of det(b-a, c-a, d-a): +1 where a, seen from d, b, c... a right-handed frame.
+/// The sign of det(b-a, c-a, d-a): +1 where a, b, c turn counterclockwise seen from d, 0 where the
+/// four lie in a plane, -1 otherwise.
 template <class A, class B, class C, class D>
 [[nodiscard]] Sign ccw(const A& a, const B& b, const C& c, const D& d) noexcept {
     return signum_ccw_space(reading::Three(a).numbers, reading::Three(b).numbers,
@@ -254,7 +264,8 @@ template <class I, class J, class K, class Q>
 template <class I, class J, class K, class Q>
 [[nodiscard]] Sign in_circle(const I& i, const J& j, const K& k, const Q& q) noexcept {
     const Sign turn = ccw(i, j, k);
-    return turn == 1 || turn == -1 ? turn * in_circle_determinant(i, j, k, q) : no_sign;
+    return turn == 1 || turn == -1 ? reading::turned(turn, in_circle_determinant(i, j, k, q))
+                                   : no_sign;
 }
 /// The same in space: minus the determinant of the rows (m - q, |m - q|^2), m = i, j, k, l. +1
 /// where q lies inside the sphere and ccw(i, j, k, l) > 0, or outside and it is < 0.
@@ -270,16 +281,17 @@ template <class I, class J, class K, class L, class Q>
 template <class I, class J, class K, class L, class Q>
 [[nodiscard]] Sign in_sphere(const I& i, const J& j, const K& k, const L& l, const Q& q) noexcept {
     const Sign turn = ccw(i, j, k, l);
-    return turn == 1 || turn == -1 ? turn * in_sphere_determinant(i, j, k, l, q) : no_sign;
+    return turn == 1 || turn == -1 ? reading::turned(turn, in_sphere_determinant(i, j, k, l, q))
+                                   : no_sign;
 }
 /// The exact sign of terms[0] + ... + terms[count - 1].
 [[nodiscard]] inline Sign sign_of_sum(const double* terms, size_t count) noexcept {
     return signum_sign_of_sum(terms, count);
 }
 
-// ---- sites of any type, in four metrics
-// ---------------------------------------------------------- A site has x, y and r, or [0], [1] and
-// [2]. The functions of C above say what is answered.
+// ---- sites of any type, in four metrics ----
+
+// A site has x, y and r, or [0], [1] and [2]. The functions of C above say what is answered.
 
 /// The predicates of a metric.
 template <signum_metric metric>
@@ -321,9 +333,9 @@ using Euclidean = In<SIGNUM_EUCLIDEAN>;
 using Manhattan = In<SIGNUM_MANHATTAN>;
 using Supremum = In<SIGNUM_SUPREMUM>;
 
-// ---- the conventions of others
-// ------------------------------------------------------------------- Their names, their order of
-// arguments, the signs that they give; each answers -1, 0 or +1.
+// ---- the conventions of others ----
+
+// Their names, their order of arguments, the signs that they give: -1, 0 or +1, or no_sign.
 
 /// Shewchuk's predicates.c, and so Triangle, TetGen, libigl and others. insphere is positive inside
 /// where orient3d(a, b, c, d) > 0, incircle where orient2d(a, b, c) > 0.
@@ -335,7 +347,7 @@ template <class A, class B, class C>
 /// Positive where d lies below the plane of a, b, c, which turn counterclockwise seen from above.
 template <class A, class B, class C, class D>
 [[nodiscard]] Sign orient3d(const A& a, const B& b, const C& c, const D& d) noexcept {
-    return -ccw(a, b, c, d);
+    return reading::turned(-1, ccw(a, b, c, d));
 }
 template <class A, class B, class C, class D>
 [[nodiscard]] Sign incircle(const A& a, const B& b, const C& c, const D& d) noexcept {
@@ -343,7 +355,7 @@ template <class A, class B, class C, class D>
 }
 template <class A, class B, class C, class D, class E>
 [[nodiscard]] Sign insphere(const A& a, const B& b, const C& c, const D& d, const E& e) noexcept {
-    return -in_sphere_determinant(a, b, c, d, e);
+    return reading::turned(-1, in_sphere_determinant(a, b, c, d, e));
 }
 }  // namespace shewchuk
 

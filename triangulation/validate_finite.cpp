@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <tuple>
 
 #include "../predicates/power.hpp"
@@ -40,6 +42,17 @@ struct Plane {
         return {s.x, s.y, 0.0, sites.third_is_weight() ? s.r : std::fabs(s.r)};
     }
     [[nodiscard]] std::size_t size() const { return sites.size(); }
+    [[nodiscard]] bool has_weights() const { return sites.third() != nullptr; }
+    using Sites = std::vector<Site>;
+    [[nodiscard]] Sites chosen(const std::vector<Index>& numbers) const {
+        Sites some;
+        for (const Index i : numbers) some.push_back(sites[static_cast<std::size_t>(i)]);
+        return some;
+    }
+    [[nodiscard]] Plane of_chosen(const Sites& some) const {
+        const Site& first = some.front();
+        return {{some.size(), sizeof(Site), &first.x, &first.y, &first.r, sites.third_is_weight()}};
+    }
 
  private:
     [[nodiscard]] Point centre(Index i) const {
@@ -71,6 +84,14 @@ struct Space {
         return {s.x, s.y, s.z, power::weight_key(s)};
     }
     [[nodiscard]] std::size_t size() const { return sites.size(); }
+    [[nodiscard]] static constexpr bool has_weights() { return !std::is_same_v<S, Point3>; }
+    using Sites = std::vector<S>;
+    [[nodiscard]] Sites chosen(const std::vector<Index>& numbers) const {
+        Sites some;
+        for (const Index i : numbers) some.push_back(at(i));
+        return some;
+    }
+    [[nodiscard]] static Space of_chosen(const Sites& some) { return {some}; }
 
  private:
     [[nodiscard]] const S& at(Index i) const { return sites[static_cast<std::size_t>(i)]; }
@@ -139,6 +160,9 @@ class Judge {
         : of_(std::move(of)), faces_(faces.begin(), faces.end()), options_(options) {}
 
     FiniteValidation run() {
+        for (std::size_t i = 0; i < of_.size(); ++i)
+            if (!std::ranges::all_of(of_.key(i), [](double x) { return std::isfinite(x); }))
+                throw std::invalid_argument("site " + std::to_string(i) + " is not finite");
         for (std::size_t f = 0; f < faces_.size(); ++f) check_numbers(f);
         if (!result_.faults.empty()) return finished();
         vertices_are_said_once();
@@ -148,6 +172,9 @@ class Judge {
         const Reference reference = reference_of(of_, options_);
         const std::vector<Hidden> hidden = find_missing(reference.hidden);
         if (has_been_glued_) count_open(border, reference.at_infinity);
+        if (of_.has_weights() && result_.faults.empty() && !result_.missing.empty() &&
+            result_.open == 0)
+            return judged_without_missing(border);
         if (!result_.faults.empty() || !result_.missing.empty() || faces_.empty()) {
             if (faces_.empty() && result_.message.empty()) result_.message = "there is no face";
             return finished();
@@ -167,6 +194,13 @@ class Judge {
     void blame(std::size_t f, FiniteFault fault, const std::string& why) {
         if (result_.message.empty()) result_.message = name(f) + ": " + why;
         result_.faults.push_back({static_cast<std::int64_t>(f), fault});
+    }
+
+    /// edge 2 5
+    static std::string facet_of(const Side& side) {
+        std::string text = Of::facet;
+        for (const Index site : side.sites) text += " " + std::to_string(site);
+        return text;
     }
 
     void check_numbers(std::size_t f) {
@@ -276,23 +310,25 @@ class Judge {
             }
             const auto f = static_cast<std::size_t>(sides[s].face);
             const auto g = static_cast<std::size_t>(sides[s + 1].face);
+            // A flat one has no side and no circle.
+            if (end - s == 2 && flat > 0 &&
+                (of_.turn(faces_[f]) == 0 || of_.turn(faces_[g]) == 0))
+                continue;
             if (end - s > 2 || sides[s].is_even == sides[s + 1].is_even) {
                 for (std::size_t each = s; each < end; ++each)
                     blame(static_cast<std::size_t>(sides[each].face), FiniteFault::overlap,
                           end - s > 2
-                              ? "its " + std::string(Of::facet) + " belongs to " +
-                                    std::to_string(end - s) + " faces"
-                              : "it lies on the same side of its " + std::string(Of::facet) +
-                                    " as " + name(each == s ? g : f));
+                              ? std::to_string(end - s) + " " + Of::face + "s share its " +
+                                    facet_of(sides[s])
+                              : name(each == s ? g : f) + " lies on the same side of their " +
+                                    facet_of(sides[s]));
                 continue;
             }
-            // A flat one has no circle.
-            if (flat > 0 && (of_.turn(faces_[f]) == 0 || of_.turn(faces_[g]) == 0)) continue;
             const Index beyond = faces_[g][sides[s + 1].corner];
             if (of_.conflict(faces_[f], beyond) > 0) {
                 blame(f, FiniteFault::conflict,
-                      "site " + std::to_string(beyond) + " of " + name(g) + ", beyond its " +
-                          Of::facet + ", lies in its " + Of::ball);
+                      "site " + std::to_string(beyond) + " of " + name(g) + " lies in its " +
+                          Of::ball + ", across their " + facet_of(sides[s]));
                 result_.faults.push_back({static_cast<std::int64_t>(g), FiniteFault::conflict});
             }
         }
@@ -325,6 +361,49 @@ class Judge {
             result_.message = "site " + std::to_string(result_.missing.front()) +
                               " is no vertex of any " + Of::face + ", and should be one";
         return found;
+    }
+
+    /// A site that lies on the lifted plane of a face may be a vertex or hidden. Where the faces are
+    /// valid without those that are missing, each is looked for in them: a walk ends there.
+    FiniteValidation judged_without_missing(const std::vector<Side>& border) {
+        std::vector<Index> kept;
+        std::vector<Index> number(of_.size(), infinite);
+        std::vector<char> is_missing(of_.size(), 0);
+        for (const std::int64_t i : result_.missing) is_missing[static_cast<std::size_t>(i)] = 1;
+        for (std::size_t i = 0; i < of_.size(); ++i)
+            if (is_missing[i] == 0) {
+                number[i] = static_cast<Index>(kept.size());
+                kept.push_back(static_cast<Index>(i));
+            }
+        if (faces_.empty() || !result_.message.starts_with("site ")) return finished();
+        const typename Of::Sites sites = of_.chosen(kept);
+        std::vector<Face> renumbered = faces_;
+        for (Face& face : renumbered)
+            for (Index& site : face) site = number[static_cast<std::size_t>(site)];
+        if (!Judge(of_.of_chosen(sites), renumbered, options_).run().valid) return finished();
+        for (const Side& side : border) faces_.push_back(beyond(side));
+        std::vector<Face> neighbours;
+        if (!find_neighbours(neighbours)) return finished();
+        std::size_t at = 0;
+        std::erase_if(result_.missing, [&](std::int64_t i) {
+            const auto site = static_cast<Index>(i);
+            for (bool has_moved = true; has_moved;) {
+                has_moved = false;
+                for (std::size_t k = 0; k < corners && !has_moved; ++k) {
+                    Face turned = faces_[at];
+                    turned[k] = site;
+                    if (of_.turn(turned) >= 0) continue;
+                    const auto next = static_cast<std::size_t>(neighbours[at][k]);
+                    if (std::ranges::count(faces_[next], infinite) > 0) return false;
+                    at = next;
+                    has_moved = true;
+                }
+            }
+            return of_.conflict(faces_[at], site) <= 0;
+        });
+        result_.valid = result_.missing.empty();
+        if (result_.valid) result_.message.clear();
+        return finished();
     }
 
     void count_open(const std::vector<Side>& border, const std::vector<signum::Face>& hull) {

@@ -43,7 +43,7 @@ struct FiniteValidation {
 
 /// Whether the faces are a Delaunay triangulation of the points or, where sites have third numbers,
 /// a regular one (power metric), whichever of those that ties allow. Of sites at one place and of
-/// one weight any one may be the vertex. Throws std::invalid_argument for a site that is not
+/// one weight any one may be the vertex. No face at all is never valid. Throws std::invalid_argument for a site that is not
 /// finite; Stopped where options.stop asks for it. O(n log n), as a triangulation of the sites, for
 /// it makes one to know who is hidden.
 [[nodiscard]] FiniteValidation validate_finite(std::span<const std::array<Index, 3>> faces,

@@ -23,7 +23,7 @@ std::string word_of(FiniteFault fault) {
 
 }  // namespace
 
-bool is_finite(const py::object& faces) {
+bool has_no_infinity(const py::object& faces) {
     const py::array array = py::array::ensure(faces);
     if (!array || array.ndim() != 2 || array.shape(0) == 0) return false;
     return array.shape(1) == 4 || py::bool_(array.attr("min")().attr("__ge__")(0));
@@ -77,7 +77,7 @@ void bind_finite(py::module_& module) {
                 for (const auto& each : v.faults) kinds.append(word_of(each.fault));
                 return kinds;
             },
-            "At what, a word each: 'number', 'flat', 'overlap', 'conflict'.")
+            "The fault of each row in `faults`: 'number', 'flat', 'overlap' or 'conflict'.")
         .def_readonly("open", &FiniteValidation::open,
                       "Edges of one face that are not on the hull; of the plane.")
         .def_property_readonly(

@@ -9,7 +9,7 @@
 namespace signum::python {
 
 /// Whether no number in a table of them is below 0, or rows have four: what has no infinity.
-[[nodiscard]] bool is_finite(const py::object& faces);
+[[nodiscard]] bool has_no_infinity(const py::object& faces);
 /// Throws ValueError as the functions that read arrays do.
 [[nodiscard]] FiniteValidation validated_finite(const py::object& sites,
                                                 const py::object& simplices,

@@ -69,7 +69,7 @@ Tessellation triangulated(const py::object& sites, const std::string& metric,
 py::object validated(const py::object& sites, const py::object& faces, const py::object& metric,
                      const py::object& neighbours, const py::object& hidden,
                      const std::string& weight_is, int threads, const py::object& progress) {
-    if (metric.is_none() && neighbours.is_none() && hidden.is_none() && is_finite(faces))
+    if (metric.is_none() && neighbours.is_none() && hidden.is_none() && has_no_infinity(faces))
         return py::cast(validated_finite(sites, faces, weight_is, threads, progress));
     const int count = threads_of(threads);
     const Rows rows(sites, "sites", 2, 3);

@@ -179,7 +179,7 @@ class Dyadic : public ComparedBySign<Dyadic> {
     static constexpr int most_bits = 8 * static_cast<int>(sizeof(Small)) - 1;
 
     Dyadic(Small m, int exponent) noexcept : small_(m), exponent_(exponent) {}
-    /// No digits are 0.
+    /// An empty list of digits is the number 0.
     Dyadic(Digits digits, bool is_negative, int exponent)
         : exponent_(exponent), is_negative_(is_negative), large_(std::move(digits)) {}
 

@@ -1,6 +1,6 @@
 /// Error-free transforms, whatever the caller's compiler may contract: a product goes through
-/// opaque(), so that no addition that follows it is fused with it. Laws and sources: as those of
-/// core/error_free.hpp.
+/// settled(), so that the compiler fuses no addition with it. Number is named by callers and always
+/// double. Laws and sources: as those of core/error_free.hpp.
 
 #include <cmath>
 

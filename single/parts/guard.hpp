@@ -1,6 +1,3 @@
-#if __cplusplus < 201703L
-#error "signum needs C++17: compile with -std=c++17"
-#endif
 #if !defined(__GNUC__)
 #error \
     "signum needs GCC or Clang (on Windows MinGW or clang), for it tells their optimizers what must not move"
@@ -14,7 +11,7 @@
 #include <cfenv>
 #endif
 
-// What is here for all of signum is not all asked for here.
+// The library's sources define functions that these two files do not call.
 #pragma GCC diagnostic ignored "-Wunused-function"
 #if defined(__clang__)
 #pragma clang diagnostic ignored "-Wunused-const-variable"

@@ -30,10 +30,13 @@
 namespace signum::cli {
 namespace {
 
+constexpr std::string_view standard_input = "-";
+
 /// The call as it was typed.
 struct SignCall {
     std::string predicate;
     std::string metric;
+    bool has_metric = false;  ///< it was typed
     std::string weight_is;
     std::optional<int> dimension;
     std::optional<int> sphere;  ///< which of several, from 0
@@ -479,7 +482,13 @@ Answer decide(const SignCall& call) {
         throw CallError(fmt::format("--sphere is of in_sphere alone, and this is {}; leave it out",
                                     call.predicate));
     const auto* const classic = std::ranges::find(classics, call.predicate, &Classic::name);
-    if (classic != classics.end()) return decide_classic(call, *classic);
+    if (classic != classics.end()) {
+        if (call.has_metric || !call.weight_is.empty() || call.dimension)
+            throw CallError(fmt::format(
+                "sign {}: it asks of points; leave --metric, --weight-is and --dimension out",
+                call.predicate));
+        return decide_classic(call, *classic);
+    }
     const bool in_space = is_in_space(call);
     // ccw is the same in every metric.
     if (call.predicate == "ccw") return decide_ccw(call, in_space);
@@ -507,7 +516,9 @@ std::string line_of(const Answer& answer, bool json) {
                            : "");
 }
 /// Words about an answer to standard error.
-void print_words(const Answer& answer, const std::string& before = {}) {
+void print_words(const Answer& answer, bool explain, const std::string& before = {}) {
+    if (explain && answer.decision.stage == Stage::filter)
+        std::fprintf(stderr, "%sdecided  by the filter\n", before.c_str());
     for (const std::string& line : answer.words)
         std::fprintf(stderr, "%s%s\n", before.c_str(), line.c_str());
 }
@@ -524,14 +535,15 @@ std::vector<std::string> names_of_predicates() {
 /// that cannot be asked; those before are answered.
 void answer_lines(const SignCall& call) {
     std::string line;
-    for (std::int64_t number = 1; std::getline(std::cin, line); ++number) {
+    std::int64_t number = 1;
+    for (; std::getline(std::cin, line); ++number) {
         SignCall of_line = call;
         of_line.numbers.clear();
         of_line.place = {};
         std::istringstream words(line);
         std::string word;
         if (!(words >> word) || word.front() == '#') continue;
-        if (call.predicate == standard_output) {
+        if (call.predicate == standard_input) {
             const std::vector<std::string> names = names_of_predicates();
             if (std::ranges::find(names, word) == names.end())
                 throw InputError("standard input", {number, 1},
@@ -545,23 +557,24 @@ void answer_lines(const SignCall& call) {
         try {
             const Answer answer = decide(of_line);
             print(line_of(answer, call.json));
-            if (call.explain) print_words(answer, fmt::format("line {}: ", number));
+            if (call.explain) print_words(answer, true, fmt::format("line {}: ", number));
         } catch (const CallError& error) {
             throw InputError("standard input", {number, 1}, error.what());
         }
     }
+    if (std::cin.bad()) throw InputError("standard input", {number, 1}, "it cannot be read");
 }
 
 void run(const SignCall& call) {
-    if (call.predicate == standard_output || call.numbers == std::vector<std::string>{"-"}) {
-        if (call.predicate == standard_output && !call.numbers.empty())
+    if (call.predicate == standard_input || call.numbers == std::vector<std::string>{"-"}) {
+        if (call.predicate == standard_input && !call.numbers.empty())
             throw CallError("sign -: questions come from standard input; leave the numbers out");
         return answer_lines(call);
     }
     const Answer answer = decide(call);
     print(line_of(answer, call.json));
     // As JSON the answer alone, unless it is asked for.
-    if (!call.json || call.explain) print_words(answer);
+    if (!call.json || call.explain) print_words(answer, call.explain);
 }
 
 }  // namespace
@@ -572,7 +585,7 @@ void add_sign(CLI::App& tool) {
         "sign", "Prints the exact sign of a predicate, and the stage that decided it");
     add_checked(*command, "PREDICATE", call->predicate, "", one_of([] {
         std::vector<std::string> names = names_of_predicates();
-        names.emplace_back(standard_output);
+        names.emplace_back(standard_input);
         return names;
     }()),
                 "ccw        three points turn left (1), right (-1)\n"
@@ -618,7 +631,8 @@ void add_sign(CLI::App& tool) {
                       "or in_sphere is 0, and there is a tie rule, also\n\"tie\": {\"last\": SITE, "
                       "\"conflict\": BOOL}");
     command->add_flag("--explain", call->explain,
-                      "Words about each answer on standard error, of lines and\nwith --json, too");
+                      "Shows how a tie is broken and which stage decided, on\nstandard error; also "
+                      "for lines of input and with --json");
     command->footer(
         "Prints the sign and the stage; words about ties, hidden sites and stages behind\n"
         "the filter go to standard error.\n\n"
@@ -632,7 +646,10 @@ void add_sign(CLI::App& tool) {
         "  signum sign in_sphere --metric power -- 0 0 0 1  1 0 0 1  0 1 0 1  0 0 1 1  1 1 1 1\n"
         "  signum sign in_sphere -- 0 0 0 1  4 0 0 1  0 4 0 1  0 0 4 0.5  1 1 1 0\n"
         "  signum sign in_sphere --metric supremum -- 0 0 0 1  6 1 2 1  1 7 3 1  2 3 8 1  4 4 4 0");
-    command->callback([call] { run(*call); });
+    command->callback([call, command] {
+        call->has_metric = command->count("--metric") > 0;
+        run(*call);
+    });
 }
 
 }  // namespace signum::cli

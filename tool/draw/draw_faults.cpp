@@ -31,13 +31,13 @@ struct FittedSites {
         }
         // Halves, for a difference may overflow.
         const double across = std::max(high_x / 2 - low_x / 2, high_y / 2 - low_y / 2);
-        scale = across > 0.0 ? (fault_width - 40) / across / 2 : 1.0;
+        scale = std::min(across > 0.0 ? (fault_width - 40) / across / 2 : 1.0, 1e300);
         left = low_x;
         top = high_y;
         height = (high_y / 2 - low_y / 2) * 2 * scale + 90;
     }
-    [[nodiscard]] double x(double of) const { return 20 + (of - left) * scale; }
-    [[nodiscard]] double y(double of) const { return 20 + (top - of) * scale; }
+    [[nodiscard]] double x(double of) const { return 20 + (of / 2 - left / 2) * scale * 2; }
+    [[nodiscard]] double y(double of) const { return 20 + (top / 2 - of / 2) * scale * 2; }
 };
 
 struct Look {
@@ -102,7 +102,8 @@ void draw_faults(std::ostream& out, std::span<const std::array<Index, 3>> faces,
                at + 7, line - 5, at + 20, line);
     if (faces.size() > most_faces_drawn)
         fmt::print(out,
-                   "<text x=\"20\" y=\"{:.0f}\">{} of {} faces without fault are drawn</text>\n",
+                   "<text x=\"20\" y=\"{:.0f}\">the first {} of {} faces are drawn, and all at "
+                   "fault</text>\n",
                    line + 20, most_faces_drawn, faces.size());
     out << "</svg>\n";
 }

@@ -133,8 +133,10 @@ FacesFile read_ele(InputFile& file) {
     if (!lines.next()) return rows.finished();
     const std::int64_t count = lines.number(0);
     const std::int64_t corners = lines.words().size() > 1 ? lines.number(1) : 3;
-    if (corners < 3 || corners > 10)
-        file.fail(lines.position(1), fmt::format("{} points of each", corners));
+    if (corners != 3 && corners != 4 && corners != 6 && corners != 10)
+        file.fail(lines.position(1),
+                  fmt::format("{} points of each; triangles have 3 or 6, tetrahedra 4 or 10",
+                              corners));
     // Of six (ten) the first three (four) are corners, the others on edges.
     const std::size_t size = corners == 4 || corners == 10 ? 4 : 3;
     for (std::int64_t k = 0; k < count; ++k) {
@@ -162,7 +164,7 @@ FacesFile read_obj(InputFile& file) {
             const std::string_view first = text.substr(0, text.find('/'));
             const bool is_back = first.starts_with('-');
             const auto number = parse_whole_number(first.substr(is_back ? 1 : 0));
-            if (!number)
+            if (!number || *number > std::uint64_t{1} << 32)
                 file.fail(lines.position(word),
                           fmt::format("{} is no number of a point", in_quotes(text)));
             row.push_back(is_back ? points + 1 - static_cast<std::int64_t>(*number)
@@ -199,9 +201,10 @@ FacesFile read_ply(InputFile& file) {
         if (!lines.next('\0'))
             file.fail(lines.position(), fmt::format("{} of {} faces are here", k, faces));
         const std::int64_t size = lines.number(0);
-        if (size != 3 && size != 4)
-            file.fail(lines.position(), fmt::format("a face of {} points", size));
-        rows.add(lines.numbers(1, static_cast<std::size_t>(size)), lines.position());
+        if (size != 3)
+            file.fail(lines.position(),
+                      fmt::format("a face of {} points; triangles are judged", size));
+        rows.add(lines.numbers(1, 3), lines.position());
     }
     return rows.finished();
 }
@@ -211,7 +214,7 @@ FacesFile read_vtk(InputFile& file) {
     Rows rows(file);
     Lines lines(file);
     while (lines.next()) {
-        const std::string_view what = lines.words()[0].text;
+        const std::string what(lines.words()[0].text);
         if (what == "BINARY")
             file.fail(lines.position(), "legacy VTK of bytes; that of text is read");
         if (what != "POLYGONS" && what != "CELLS") continue;
@@ -224,10 +227,21 @@ FacesFile read_vtk(InputFile& file) {
                           "cells by OFFSETS and CONNECTIVITY (VTK 5); write the version 4 of the "
                           "format, or .npy");
             const std::int64_t size = lines.number(0);
-            if (size != 3 && size != 4)
-                file.fail(lines.position(), fmt::format("a cell of {} points", size));
+            if (size != 3 && (size != 4 || what == "POLYGONS"))
+                file.fail(lines.position(),
+                          fmt::format("a {} of {} points; triangles and tetrahedra are judged",
+                                      what == "POLYGONS" ? "polygon" : "cell", size));
             rows.add(lines.numbers(1, static_cast<std::size_t>(size)), lines.position());
         }
+        // Four points are those of a quadrangle, too, which CELL_TYPES tell by 8 and 9.
+        while (lines.next() && lines.words()[0].text == "CELL_TYPES")
+            while (lines.next() && lines.if_number(0))
+                for (std::size_t word = 0; word < lines.words().size(); ++word)
+                    if (const std::int64_t type = lines.number(word); type != 5 && type != 10)
+                        file.fail(lines.position(word),
+                                  fmt::format("a cell of type {}; triangles (5) and tetrahedra (10) "
+                                              "are judged",
+                                              type));
         return rows.finished();
     }
     file.fail(lines.position(), "neither POLYGONS nor CELLS in it");
@@ -238,7 +252,9 @@ FacesFile read_json(InputFile& file) {
     for (std::string_view block; !(block = file.next_block()).empty();) text += block;
     nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
     if (json.is_discarded()) throw InputError(file.path(), "this is no JSON");
+    bool is_ours = false;
     if (json.is_object()) {
+        is_ours = json.value("format", "").starts_with("signum.");
         const char* found = nullptr;
         for (const char* const name : {"simplices", "cells", "faces", "triangles"})
             if (found == nullptr && json.contains(name)) found = name;
@@ -260,7 +276,7 @@ FacesFile read_json(InputFile& file) {
         if (!is_row)
             throw InputError(file.path(), fmt::format("row {} is no row of whole numbers", k));
         // What triangulate writes has faces at infinity, too.
-        if (std::ranges::find(row, -1) != row.end()) continue;
+        if (is_ours && std::ranges::find(row, -1) != row.end()) continue;
         rows.add(row, {1, 1});
     }
     return rows.finished();

@@ -37,10 +37,11 @@ constexpr std::array<Family, 13> all_families = {
       "a point among the doubles next to one on the line of two others (Kettner "
       "et al. 2008), and the same of planes, circles and spheres"},
      {"scaled", "ties moved by ulps, multiplied by a power of two up to 2^60 or down to 2^-60"},
-     {"tiny", "one number that is nothing beside the others, about 2^-460"},
-     {"far", "all exponents near 400 or -400: products overflow or underflow"},
-     {"extremes", "magnitudes at both ends of the doubles, and where products leave them"},
-     {"raw", "any finite bit patterns"},
+     {"tiny", "one number that is nothing beside the others, about 2^-460", 500, true},
+     {"far", "all exponents near 400 or -400: products overflow or underflow", 500, true},
+     {"extremes", "magnitudes at both ends of the doubles, and where products leave them", 500,
+      true},
+     {"raw", "any finite bit patterns", 500, true},
      {"rounding",
       "points for which doubles have the wrong sign by as much as a search finds: a "
       "filter's bound must be greater",

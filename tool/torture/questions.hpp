@@ -46,14 +46,15 @@ struct Question {
 [[nodiscard]] Sign exact_sign(const Question& question);
 /// Of all but the last point of incircle and insphere: orient2d and orient3d of them.
 [[nodiscard]] Sign exact_turn(const Question& question);
-/// How simple a question is: the bits of its significands, and how far its exponents are apart.
-/// Above 0.
+/// Greater for questions that are harder to read: the bits of the significands and the spread of
+/// the exponents. Above 0.
 [[nodiscard]] int cost_of(const Question& question) noexcept;
 
 struct Family {
     std::string_view name;
     std::string_view says;
-    int in_a_row = 500;  ///< questions before the next family's turn
+    int in_a_row = 500;    ///< questions before the next family's turn
+    bool is_far = false;  ///< products of its numbers over- or underflow
 };
 [[nodiscard]] std::span<const Family> families() noexcept;
 

@@ -135,7 +135,10 @@ std::string as_json(const Report& report) {
             const Count& count = trial.counts[family];
             if (count.asked == 0) continue;
             of_function["families"][std::string(families()[family].name)] = {
-                {"asked", count.asked}, {"wrong", count.wrong}, {"nan", count.not_a_number}};
+                {"asked", count.asked},
+                {"wrong", count.wrong},
+                {"nan", count.not_a_number},
+                {"far", families()[family].is_far}};
         }
         if (trial.smallest) {
             auto& smallest = of_function["smallest"];

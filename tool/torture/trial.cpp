@@ -13,10 +13,12 @@
 #include <cstring>
 #include <new>
 #include <numeric>
+#include <span>
 #include <thread>
 
 #include <fmt/format.h>
 
+#include "../../core/contract.hpp"
 #include "../../exact/floating_environment.hpp"
 #include "../io/errors.hpp"
 
@@ -137,8 +139,11 @@ Convention found_convention(const Plugin& plugin, Shared& shared, Asked asked) {
         const Question question = maker.make_clear(asked);
         answers.emplace_back(question, watched(plugin, shared, question));
     }
-    for (const Convention each : {Convention::shewchuk, Convention::opposite, Convention::bounded,
-                                  Convention::bounded_opposite})
+    constexpr std::array all = {Convention::shewchuk, Convention::opposite, Convention::bounded,
+                                Convention::bounded_opposite};
+    // A turn has no inside.
+    const bool has_inside = points_of(asked) == dimension_of(asked) + 2;
+    for (const Convention each : std::span(all).first(has_inside ? 4 : 2))
         if (std::ranges::all_of(answers, [&](const auto& answer) {
                 return is_right(answer.second, right_in(each, answer.first));
             }))
@@ -233,7 +238,8 @@ Question question_of_picture(Asked asked, int column, int row) {
 std::array<Trial, functions> torture(const Plugin& plugin, const Options& options) {
     const Memory memory;
     Shared& shared = *memory;
-    const std::size_t all_of_them = std::min(families().size(), most_families);
+    const std::size_t all_of_them = families().size();
+    SIGNUM_EXPECTS(all_of_them <= most_families);
     std::array<Trial, functions> trials;
     // Families in which a call was lost are not asked again.
     std::array<std::array<bool, most_families>, functions> is_lost{};

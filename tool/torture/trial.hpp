@@ -1,6 +1,6 @@
 #pragma once
 /// The trial of a plugin: it is asked in processes of their own, so that one that crashes or hangs
-/// takes nothing along.
+/// takes nothing along. Loading it, and its --init, run in the tool itself.
 
 #include <array>
 #include <cstdint>

@@ -99,7 +99,7 @@ with tempfile.TemporaryDirectory() as scratch:
     bad.write_text(rows([[0, 1, 2], [0, 2, 3], [1, 5, 2]]))
     expect(1, "site 4 is no vertex", bad, scratch / "plane.npy", "-o", scratch / "faults.svg", "-o",
            scratch / "faults.json")
-    assert "<svg" in (scratch / "faults.svg").read_text()
+    assert "<title>site 4</title>" in (scratch / "faults.svg").read_text()
     assert json.loads((scratch / "faults.json").read_text())["missing"] == [4]
 
     try:

@@ -47,7 +47,7 @@ class Libraries {
             all_.push_back(library);
         }
     }
-    /// Whether all of them answer as expected, in this environment.
+    /// Asks each library in this environment, and counts the answers that differ.
     template <class... Operands>
     void ask(const char* function, int expected, int environment, Operands... operands) {
         using Function = int(Operands...);

@@ -11,5 +11,8 @@ int main(void) {
     const double rows[] = {0.1, 0.1, 0, 0}, ends[] = {0.3, 0.3, 1, 0}, last[] = {0.7, 0.7, 0, 1};
     if (signum_ccw_batch(rows, ends, last, 2, signs) != 0) return 1;
     printf("%d %d\n", signs[0], signs[1]);
+    const double squares[4][4] = {{0, 0, 0, 0}, {1, 0, 1, 0}, {1, 1, 1, 1}, {0, 1, 0.5, 0.5}};
+    if (signum_in_circle_points_batch(squares[0], squares[1], squares[2], squares[3], 2, signs) != 0) return 1;
+    printf("%d %d\n", signs[0], signs[1]);
     return 0;
 }

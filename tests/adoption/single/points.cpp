@@ -65,7 +65,11 @@ int main() {
     EXPECT(in_circle(origin, up, right, Point{0.5, 0.5}), 1);
     EXPECT(in_circle_determinant(origin, up, right, Point{0.5, 0.5}), -1);
     EXPECT(in_circle(origin, right, Point{2, 0}, corner), no_sign);
-    EXPECT(ccw(origin, right, Point{0, 1e308 * 10}), no_sign);
+    const Point infinite{0, 1e308 * 10};
+    EXPECT(ccw(origin, right, infinite), no_sign);
+    EXPECT(in_circle(origin, up, right, infinite), no_sign);
+    EXPECT(in_circle(origin, right, up, infinite), no_sign);
+    EXPECT(shewchuk::incircle(origin, right, up, infinite), no_sign);
 
     const double a[] = {0, 0, 0}, b[] = {1, 0, 0}, c[] = {0, 1, 0}, d[] = {0, 0, 1};
     EXPECT(ccw(a, b, c, d), 1);
@@ -79,6 +83,18 @@ int main() {
     EXPECT(shewchuk::insphere(b, a, c, d, Point3{0.5, 0.5, 0.5}), 1);
     EXPECT(shewchuk::insphere(a, b, c, d, Point3{0.5, 0.5, 0.5}), -1);
     EXPECT(shewchuk::incircle(origin, up, right, Point{0.5, 0.5}), -1);
+    const Point3 nowhere{0, 0, 1e308 * 10};
+    EXPECT(shewchuk::orient3d(a, b, c, nowhere), no_sign);
+    EXPECT(shewchuk::insphere(a, b, c, d, nowhere), no_sign);
+    EXPECT(in_sphere(b, a, c, d, nowhere), no_sign);
+    EXPECT(shewchuk::orient2d(origin, right, up), 1);
+    EXPECT(libigl::orient3d(a, b, c, d), -1);
+    EXPECT(libigl::incircle(origin, right, up, Point{0.5, 0.5}), 1);
+    EXPECT(geogram::orient_2d(origin, right, up), 1);
+    EXPECT(geogram::orient_3d(a, b, c, d), 1);
+    EXPECT(geogram::in_circle_2d(origin, up, right, Point{0.5, 0.5}), -1);
+    EXPECT(geogram::in_sphere_3d(a, b, c, d, Point3{0.5, 0.5, 0.5}), 1);
+    EXPECT(cgal::side_of_bounded_sphere(b, a, c, d, Point3{0.5, 0.5, 0.5}), 1);
     EXPECT(cgal::orientation(a, b, c, d), 1);
     EXPECT(cgal::side_of_oriented_circle(origin, up, right, Point{0.5, 0.5}), -1);
     EXPECT(cgal::side_of_bounded_circle(origin, up, right, Point{0.5, 0.5}), 1);

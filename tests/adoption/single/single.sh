@@ -69,6 +69,7 @@ fi
 gcc -std=c99 -Wall -Wextra -Werror -x c -I "$single" -c "$here/names.c" -o names.o
 gcc names.o predicates.o -lstdc++ -o names
 [ "$(./names)" = "0 1 1 -2
+0 1
 0 1" ] || fail "from C: $(./names)"
 if command -v gfortran > /dev/null; then
   gfortran "$here/names.f90" predicates.o -lstdc++ -o fortran
@@ -96,6 +97,7 @@ refuse() {
 }
 refuse 'std::array<long, 2> p{}; return signum::ccw(p, p, p);' 'integers of 64 bits may be no doubles'
 refuse 'std::array<long double, 2> p{}; return signum::ccw(p, p, p);' 'a long double would be rounded'
+refuse 'std::array<__float128, 2> p{}; return signum::ccw(p, p, p);' 'signum: a'
 refuse 'Mine p{}; return signum::ccw(p, p, p);' 'a point needs members x and y'
 refuse 'signum::Point p{}; return signum::Euclidean::hidden(p, p);' 'a site needs a member r'
 

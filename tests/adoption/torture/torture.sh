@@ -44,6 +44,14 @@ for fault in "$@"; do
   # Of that function alone, with an example that the library itself answers otherwise.
   says "all((f['wrong'] > 0) == (name == '${names[fault / 8]}') for name, f in r['functions'].items())"
   grep -q 'The simplest of the wrong answers' report.html || fail "no example on the page"
+  name=${names[fault / 8]}
+  read -r right numbers < <(python3 -c "
+import json
+smallest = json.load(open('report.json'))['functions']['$name']['smallest']
+print(smallest['right'], *smallest['numbers'])")
+  # shellcheck disable=SC2086
+  [ "$("$signum" sign "$name" -- $numbers 2> /dev/null | cut -d ' ' -f 1)" = "$right" ] \
+    || fail "fault $fault: its example is answered otherwise by signum sign: $right, $numbers"
 done
 
 # What it cannot be blamed for: crashes, endless loops, changed rounding modes, the rest goes on.
@@ -54,6 +62,13 @@ says "r['functions']['incircle']['found'] is False"
 says "any(c['signal'] != 0 for c in r['functions']['orient2d']['lost'])"
 says "any(c['signal'] == 0 for c in r['functions']['orient3d']['lost'])"
 says "r['functions']['orient2d']['wrong'] > 0"
+# A magnitude is no orientation, whatever is found out about signs.
+printf '#include <signum_predicates.hpp>\n
+extern "C" double orient2d(const double* a, const double* b, const double* c) {\n
+  return signum::ccw(a, b, c) == 0 ? 0 : 1; }\n' > magnitude.cpp
+g++ -std=c++17 -O2 -fPIC -shared -I "$single" magnitude.cpp predicates.o -o magnitude.so
+trial magnitude.so --seconds 1
+[ $code = 1 ] || fail "magnitude: exit $code, $(cat report.json)"
 
 # Other names, other signs, other languages.
 printf 'extern "C" double turn(const double* a, const double* b, const double* c);\n
