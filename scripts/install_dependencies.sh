@@ -64,6 +64,10 @@ check_compiler() {
 }
 
 case ${1:-build} in
+  -h | --help)
+    sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//p}' "$0"
+    exit 0
+    ;;
   build) wanted=("${build[@]}") ;;
   test) wanted=("${test[@]}") ;;
   benchmark) wanted=("${benchmark[@]}") ;;

@@ -46,6 +46,9 @@ class Input:
                 columns = line.split()
             elif line.strip():
                 rows.append([float(word) for word in line.split()])
+        for key in ("title", "source", "failed"):
+            if key not in said:
+                sys.exit(f"{path}: no line '# {key}: ...' at its head")
         self.title, self.source, self.failed = said["title"], said["source"], said["failed"]
         self.dimension = 3 if "z" in columns else 2
         self.has_weights = columns[-1] == "weight"
@@ -320,7 +323,7 @@ def said_by(signum, peer, given, scratch):
     if read["missing"]:
         words.append(f"{counted(len(read['missing']), 'point')} missing")
     if read["open"]:
-        words.append(counted(read["open"], "open edge"))
+        words.append(counted(len(read["open"]), "open edge"))
     return ", ".join(words) or wrong
 
 
@@ -354,14 +357,20 @@ def rows_of(inputs, rights):
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("signum")
-    parser.add_argument("--page", type=Path)
-    parser.add_argument("--peers", action="store_true")
-    parser.add_argument("--only", default="")
-    parser.add_argument("--inputs", type=Path, default=INPUTS)
+    parser.add_argument("signum", help="the tool, such as build/release/cli/signum")
+    parser.add_argument("--page", type=Path, help="the page that is checked, or written")
+    parser.add_argument("--peers", action="store_true", help="ask the peers")
+    parser.add_argument("--only", default="", help="those alone: SciPy,CGAL,...")
+    parser.add_argument("--inputs", type=Path, default=INPUTS, help="another folder of inputs")
     call = parser.parse_args()
+    if not os.access(call.signum, os.X_OK):
+        parser.error(f"{call.signum} is no program")
+    if call.page and not call.peers and not call.page.exists():
+        parser.error(f"there is no {call.page}; --peers writes it")
     signum = os.path.abspath(call.signum)
     inputs = [Input(path) for path in sorted(call.inputs.glob("*.txt"))]
+    if not inputs:
+        parser.error(f"no input in {call.inputs}")
     rights = [right_of(signum, given) for given in inputs]
     print(f"signum is right on {len(inputs)} inputs")
     rows = rows_of(inputs, rights)

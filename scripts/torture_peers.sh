@@ -13,6 +13,8 @@ if [ $# -eq 0 ]; then
   exit 2
 fi
 signum=$(realpath "$1")
+[ -x "$signum" ] || { echo "$1 is no program" >&2; exit 2; }
+[[ "${2:-60}" =~ ^[0-9]+$ ]] || { echo "'$2' is no number of seconds" >&2; exit 2; }
 seconds=${2:-60}
 clones=${3:-}
 peers=tests/adoption/torture/peers

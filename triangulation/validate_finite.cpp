@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "../predicates/power.hpp"
 #include "../predicates/space.hpp"
@@ -42,7 +43,6 @@ struct Plane {
         return {s.x, s.y, 0.0, sites.third_is_weight() ? s.r : std::fabs(s.r)};
     }
     [[nodiscard]] std::size_t size() const { return sites.size(); }
-    [[nodiscard]] bool has_weights() const { return sites.third() != nullptr; }
     using Sites = std::vector<Site>;
     [[nodiscard]] Sites chosen(const std::vector<Index>& numbers) const {
         Sites some;
@@ -84,7 +84,6 @@ struct Space {
         return {s.x, s.y, s.z, power::weight_key(s)};
     }
     [[nodiscard]] std::size_t size() const { return sites.size(); }
-    [[nodiscard]] static constexpr bool has_weights() { return !std::is_same_v<S, Point3>; }
     using Sites = std::vector<S>;
     [[nodiscard]] Sites chosen(const std::vector<Index>& numbers) const {
         Sites some;
@@ -119,26 +118,22 @@ Reference reference_of(const Space<S>& of, const ValidationOptions& options) {
 
 /// The judgement of validate() about the faces with those at infinity, which follow them.
 Validation judged(const Plane& of, std::vector<std::array<Index, 3>> faces,
-                  std::vector<std::array<Index, 3>> neighbours, std::vector<Hidden> hidden,
-                  const ValidationOptions& options) {
+                  std::vector<std::array<Index, 3>> neighbours, const ValidationOptions& options) {
     TessellationArrays arrays;
     arrays.weight_is = of.sites.third_is_weight() ? WeightIs::weight : WeightIs::radius;
     arrays.sites = static_cast<std::int64_t>(of.size());
     arrays.faces = std::move(faces);
     arrays.neighbours = std::move(neighbours);
-    arrays.hidden = std::move(hidden);
     return validate(arrays, of.sites, options);
 }
 template <class S>
 Validation judged(const Space<S>& of, std::vector<std::array<Index, 4>> faces,
-                  std::vector<std::array<Index, 4>> neighbours, std::vector<Hidden> hidden,
-                  const ValidationOptions& options) {
+                  std::vector<std::array<Index, 4>> neighbours, const ValidationOptions& options) {
     SpaceTessellation space;
     space.dimension = 3;
     space.sites = static_cast<std::int64_t>(of.size());
     space.cells = std::move(faces);
     space.neighbours = std::move(neighbours);
-    space.hidden = std::move(hidden);
     return validate(space, of.sites, options);
 }
 
@@ -156,8 +151,11 @@ class Judge {
     };
 
  public:
-    Judge(Of of, std::span<const Face> faces, const ValidationOptions& options)
-        : of_(std::move(of)), faces_(faces.begin(), faces.end()), options_(options) {}
+    Judge(Of of, std::span<const Face> faces, const ValidationOptions& options, int numbered_from)
+        : of_(std::move(of)),
+          faces_(faces.begin(), faces.end()),
+          options_(options),
+          first_number_(numbered_from) {}
 
     FiniteValidation run() {
         for (std::size_t i = 0; i < of_.size(); ++i)
@@ -169,37 +167,37 @@ class Judge {
         for (std::size_t f = 0; f < faces_.size(); ++f) turn_alike(f);
         std::vector<Side> border;
         pair_up(border);
-        const Reference reference = reference_of(of_, options_);
-        const std::vector<Hidden> hidden = find_missing(reference.hidden);
-        if (has_been_glued_) count_open(border, reference.at_infinity);
-        if (of_.has_weights() && result_.faults.empty() && !result_.missing.empty() &&
-            result_.open == 0)
-            return judged_without_missing(border);
-        if (!result_.faults.empty() || !result_.missing.empty() || faces_.empty()) {
-            if (faces_.empty() && result_.message.empty()) result_.message = "there is no face";
-            return finished();
+        if (has_been_glued_ && result_.message.empty() && !faces_.empty()) {
+            result_.valid = are_a_triangulation(border);
+            if (result_.valid) return finished();
         }
-        for (const Side& side : border) faces_.push_back(beyond(side));
-        std::vector<Face> neighbours;
-        if (!result_.message.empty() || !find_neighbours(neighbours)) return finished();
-        const Validation whole =
-            judged(of_, std::move(faces_), std::move(neighbours), hidden, options_);
-        result_.valid = whole.valid;
-        if (!whole.valid) result_.message = whole.message;
+        // What is wrong is looked for beside a tessellation of ours.
+        const std::string message = std::exchange(result_.message, {});
+        const Reference reference = reference_of(of_, options_);
+        find_missing(reference.hidden);
+        if (has_been_glued_) count_open(border, reference.at_infinity);
+        if (!message.empty()) result_.message = message;
+        if (result_.message.empty()) result_.message = faces_.empty() ? "there is no face" : why_;
         return finished();
     }
 
  private:
-    static std::string name(std::size_t f) { return Of::face + (" " + std::to_string(f)); }
+    /// As messages have it.
+    [[nodiscard]] std::string number(std::int64_t of) const {
+        return std::to_string(of + first_number_);
+    }
+    [[nodiscard]] std::string name(std::size_t f) const {
+        return Of::face + (" " + number(static_cast<std::int64_t>(f)));
+    }
     void blame(std::size_t f, FiniteFault fault, const std::string& why) {
         if (result_.message.empty()) result_.message = name(f) + ": " + why;
         result_.faults.push_back({static_cast<std::int64_t>(f), fault});
     }
 
     /// edge 2 5
-    static std::string facet_of(const Side& side) {
+    [[nodiscard]] std::string facet_of(const Side& side) const {
         std::string text = Of::facet;
-        for (const Index site : side.sites) text += " " + std::to_string(site);
+        for (const Index site : side.sites) text += " " + number(site);
         return text;
     }
 
@@ -208,11 +206,12 @@ class Judge {
         for (const Index site : face)
             if (site < 0 || static_cast<std::size_t>(site) >= of_.size())
                 return blame(f, FiniteFault::number,
-                             "there is no site " + std::to_string(site) + " of " +
-                                 std::to_string(of_.size()) + ", which are numbered from 0");
+                             "there is no site " + number(site) + " of " +
+                                 std::to_string(of_.size()) + ", which are numbered from " +
+                                 number(0));
         std::ranges::sort(face);
         if (const auto* const twice = std::ranges::adjacent_find(face); twice != face.end())
-            blame(f, FiniteFault::number, "site " + std::to_string(*twice) + " is there twice");
+            blame(f, FiniteFault::number, "site " + number(*twice) + " is there twice");
     }
 
     /// Of equal sites one alone is a vertex, and stands for all from here on.
@@ -235,7 +234,7 @@ class Judge {
             if (is_vertex_[i] == 0) continue;
             char& known = is_first_vertex[static_cast<std::size_t>(first_[i])];
             if (known != 0 && result_.message.empty())
-                result_.message = "site " + std::to_string(i) +
+                result_.message = "site " + number(static_cast<std::int64_t>(i)) +
                                   " is a vertex, and another one at the same place is, too";
             known = 1;
         }
@@ -285,8 +284,7 @@ class Judge {
                                  (s + 2 == sides.size() || sides[s + 2].sites != sides[s].sites);
             if (!are_two) {
                 result_.message = "the border of the " + std::string(Of::face) +
-                                  "s meets itself at site " +
-                                  std::to_string(sides[s].sites[corners - 2]);
+                                  "s meets itself at site " + number(sides[s].sites[corners - 2]);
                 return false;
             }
             const auto tell = [&](const Side& one, const Side& other) {
@@ -327,7 +325,7 @@ class Judge {
             const Index beyond = faces_[g][sides[s + 1].corner];
             if (of_.conflict(faces_[f], beyond) > 0) {
                 blame(f, FiniteFault::conflict,
-                      "site " + std::to_string(beyond) + " of " + name(g) + " lies in its " +
+                      "site " + number(beyond) + " of " + name(g) + " lies in its " +
                           Of::ball + ", across their " + facet_of(sides[s]));
                 result_.faults.push_back({static_cast<std::int64_t>(g), FiniteFault::conflict});
             }
@@ -345,65 +343,69 @@ class Judge {
         return face;
     }
 
-    /// Sites of no face that should be of one; the others, which are hidden.
-    std::vector<Hidden> find_missing(const std::vector<Hidden>& hidden) {
-        std::vector<Index> by(of_.size(), infinite);
-        for (const Hidden& each : hidden) by[static_cast<std::size_t>(each.site)] = each.by;
-        std::vector<Hidden> found;
-        for (std::size_t i = 0; i < of_.size(); ++i) {
-            if (is_vertex_[i] != 0) continue;
-            if (by[i] == infinite)
+    /// Sites of no face that the canonical tessellation has.
+    void find_missing(const std::vector<Hidden>& hidden) {
+        std::vector<char> is_hidden(of_.size(), 0);
+        for (const Hidden& each : hidden) is_hidden[static_cast<std::size_t>(each.site)] = 1;
+        for (std::size_t i = 0; i < of_.size(); ++i)
+            if (is_vertex_[i] == 0 && is_hidden[i] == 0)
                 result_.missing.push_back(static_cast<std::int64_t>(i));
-            else
-                found.push_back({static_cast<Index>(i), by[i]});
-        }
         if (!result_.missing.empty() && result_.message.empty())
-            result_.message = "site " + std::to_string(result_.missing.front()) +
+            result_.message = "site " + number(result_.missing.front()) +
                               " is no vertex of any " + Of::face + ", and should be one";
-        return found;
     }
 
-    /// A site that lies on the lifted plane of a face may be a vertex or hidden. Where the faces are
-    /// valid without those that are missing, each is looked for in them: a walk ends there.
-    FiniteValidation judged_without_missing(const std::vector<Side>& border) {
-        std::vector<Index> kept;
-        std::vector<Index> number(of_.size(), infinite);
-        std::vector<char> is_missing(of_.size(), 0);
-        for (const std::int64_t i : result_.missing) is_missing[static_cast<std::size_t>(i)] = 1;
-        for (std::size_t i = 0; i < of_.size(); ++i)
-            if (is_missing[i] == 0) {
-                number[i] = static_cast<Index>(kept.size());
-                kept.push_back(static_cast<Index>(i));
-            }
-        if (faces_.empty() || !result_.message.starts_with("site ")) return finished();
-        const typename Of::Sites sites = of_.chosen(kept);
-        std::vector<Face> renumbered = faces_;
-        for (Face& face : renumbered)
-            for (Index& site : face) site = number[static_cast<std::size_t>(site)];
-        if (!Judge(of_.of_chosen(sites), renumbered, options_).run().valid) return finished();
+    /// Whether they are a regular triangulation of their vertices, and no other site comes into a
+    /// circle: each of them is looked for, and a walk in such a triangulation ends.
+    [[nodiscard]] bool are_a_triangulation(const std::vector<Side>& border) {
+        const std::vector<Face> finite = faces_;
         for (const Side& side : border) faces_.push_back(beyond(side));
         std::vector<Face> neighbours;
-        if (!find_neighbours(neighbours)) return finished();
-        std::size_t at = 0;
-        std::erase_if(result_.missing, [&](std::int64_t i) {
-            const auto site = static_cast<Index>(i);
-            for (bool has_moved = true; has_moved;) {
-                has_moved = false;
-                for (std::size_t k = 0; k < corners && !has_moved; ++k) {
-                    Face turned = faces_[at];
-                    turned[k] = site;
-                    if (of_.turn(turned) >= 0) continue;
-                    const auto next = static_cast<std::size_t>(neighbours[at][k]);
-                    if (std::ranges::count(faces_[next], infinite) > 0) return false;
-                    at = next;
-                    has_moved = true;
-                }
+        const bool is_closed = find_neighbours(neighbours);
+        const std::vector<Face> faces = std::exchange(faces_, finite);
+        return is_closed && is_regular(faces, neighbours) && hides_the_others(faces, neighbours);
+    }
+    [[nodiscard]] bool is_regular(std::vector<Face> faces, const std::vector<Face>& neighbours) {
+        std::vector<Index> vertices;
+        std::vector<Index> number(of_.size(), infinite);
+        for (std::size_t i = 0; i < of_.size(); ++i)
+            if (is_vertex_[i] != 0) {
+                number[i] = static_cast<Index>(vertices.size());
+                vertices.push_back(static_cast<Index>(i));
             }
-            return of_.conflict(faces_[at], site) <= 0;
-        });
-        result_.valid = result_.missing.empty();
-        if (result_.valid) result_.message.clear();
-        return finished();
+        for (Face& face : faces)
+            for (Index& site : face)
+                if (site != infinite) site = number[static_cast<std::size_t>(site)];
+        const typename Of::Sites sites = of_.chosen(vertices);
+        const Validation judged_ones = judged(of_.of_chosen(sites), faces, neighbours, options_);
+        if (!judged_ones.valid) why_ = judged_ones.message;
+        return judged_ones.valid;
+    }
+    [[nodiscard]] bool hides_the_others(const std::vector<Face>& faces,
+                                        const std::vector<Face>& neighbours) const {
+        std::size_t at = 0;
+        const auto moves_towards = [&](Index site) {
+            for (std::size_t k = 0; k < corners; ++k) {
+                Face turned = faces[at];
+                turned[k] = site;
+                if (of_.turn(turned) >= 0) continue;
+                at = static_cast<std::size_t>(neighbours[at][k]);
+                return true;
+            }
+            return false;
+        };
+        for (std::size_t i = 0; i < of_.size(); ++i) {
+            if (is_vertex_[i] != 0) continue;
+            const auto site = static_cast<Index>(i);
+            while (!is_infinite(faces[at]) && moves_towards(site)) {
+            }
+            // Beyond the hull, or a vertex that is missing.
+            if (is_infinite(faces[at]) || of_.conflict(faces[at], site) > 0) return false;
+        }
+        return true;
+    }
+    [[nodiscard]] static bool is_infinite(const Face& face) {
+        return std::ranges::find(face, infinite) != face.end();
     }
 
     void count_open(const std::vector<Side>& border, const std::vector<signum::Face>& hull) {
@@ -413,17 +415,19 @@ class Judge {
                 edges.insert({std::min(a, b), std::max(a, b)});
             for (const Side& side : border)
                 if (!edges.contains(side.sites)) {
-                    ++result_.open;
+                    result_.open.push_back({side.face, side.sites});
                     if (result_.message.empty())
-                        result_.message = name(static_cast<std::size_t>(side.face)) +
-                                          ": its edge " + std::to_string(side.sites[0]) + " " +
-                                          std::to_string(side.sites[1]) +
+                        result_.message = name(static_cast<std::size_t>(side.face)) + ": its " +
+                                          facet_of(side) +
                                           " is on no other face, and not on the hull";
                 }
         }
     }
 
     FiniteValidation finished() {
+        std::ranges::sort(result_.open, {}, [](const FiniteValidation::OpenEdge& each) {
+            return std::pair(each.face, each.between);
+        });
         std::ranges::sort(result_.faults, {}, [](const FiniteValidation::Fault& each) {
             return std::pair(each.face, each.fault);
         });
@@ -437,30 +441,32 @@ class Judge {
     Of of_;
     std::vector<Face> faces_;
     const ValidationOptions& options_;
+    int first_number_;
     FiniteValidation result_;
     std::vector<char> is_vertex_;
     std::vector<Index> first_;  ///< of the sites that equal it
     bool has_been_glued_ = false;
+    std::string why_;  ///< they are no triangulation, where nothing else is at fault
 };
 
 }  // namespace
 
 FiniteValidation validate_finite(std::span<const std::array<Index, 3>> faces, StridedSites sites,
-                                 const ValidationOptions& options) {
-    return Judge<Plane>({sites}, faces, options).run();
+                                 const ValidationOptions& options, int numbered_from) {
+    return Judge<Plane>({sites}, faces, options, numbered_from).run();
 }
 FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
-                                 std::span<const Point3> sites, const ValidationOptions& options) {
-    return Judge<Space<Point3>>({sites}, cells, options).run();
+                                 std::span<const Point3> sites, const ValidationOptions& options, int numbered_from) {
+    return Judge<Space<Point3>>({sites}, cells, options, numbered_from).run();
 }
 FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
-                                 std::span<const Site3> sites, const ValidationOptions& options) {
-    return Judge<Space<Site3>>({sites}, cells, options).run();
+                                 std::span<const Site3> sites, const ValidationOptions& options, int numbered_from) {
+    return Judge<Space<Site3>>({sites}, cells, options, numbered_from).run();
 }
 FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
                                  std::span<const power::Site3> sites,
-                                 const ValidationOptions& options) {
-    return Judge<Space<power::Site3>>({sites}, cells, options).run();
+                                 const ValidationOptions& options, int numbered_from) {
+    return Judge<Space<power::Site3>>({sites}, cells, options, numbered_from).run();
 }
 
 }  // namespace signum

@@ -33,9 +33,13 @@ struct FiniteValidation {
         FiniteFault fault;  ///< the first of its faults, in the order of the enumerators
     };
     std::vector<Fault> faults;  ///< by rising places
-    /// Edges (facets) of one face alone, which are not on the hull of the sites: behind each faces
-    /// are missing. Known where no face is at fault by number, flat or overlap; of the plane alone.
-    std::int64_t open = 0;
+    /// An edge of one face alone that is not on the hull of the sites: behind it faces are missing.
+    struct OpenEdge {
+        std::int64_t face;             ///< its place in the input
+        std::array<Index, 2> between;  ///< the sites that it joins, rising
+    };
+    /// Known where no face is at fault by number, flat or overlap; of the plane alone.
+    std::vector<OpenEdge> open;
     /// Sites of no face that have a place in the triangulation: not hidden by their weights, and
     /// not at the place of one that is a vertex. Rising.
     std::vector<std::int64_t> missing;
@@ -44,22 +48,27 @@ struct FiniteValidation {
 /// Whether the faces are a Delaunay triangulation of the points or, where sites have third numbers,
 /// a regular one (power metric), whichever of those that ties allow. Of sites at one place and of
 /// one weight any one may be the vertex. No face at all is never valid. Throws std::invalid_argument for a site that is not
-/// finite; Stopped where options.stop asks for it. O(n log n), as a triangulation of the sites, for
-/// it makes one to know who is hidden.
+/// finite; Stopped where options.stop asks for it. O(n log n), and a walk of some √n faces for each
+/// site of no face; where they are not valid, a triangulation more, to say what is missing. The
+/// message counts sites and faces from `numbered_from`.
 [[nodiscard]] FiniteValidation validate_finite(std::span<const std::array<Index, 3>> faces,
                                                StridedSites sites,
-                                               const ValidationOptions& options = {});
+                                               const ValidationOptions& options = {},
+                                               int numbered_from = 0);
 /// The same in space.
 [[nodiscard]] FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
                                                std::span<const Point3> sites,
-                                               const ValidationOptions& options = {});
+                                               const ValidationOptions& options = {},
+                                               int numbered_from = 0);
 /// The same of balls, whose weight is the square of the radius.
 [[nodiscard]] FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
                                                std::span<const Site3> sites,
-                                               const ValidationOptions& options = {});
+                                               const ValidationOptions& options = {},
+                                               int numbered_from = 0);
 /// The same of sites that say their weight.
 [[nodiscard]] FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
                                                std::span<const power::Site3> sites,
-                                               const ValidationOptions& options = {});
+                                               const ValidationOptions& options = {},
+                                               int numbered_from = 0);
 
 }  // namespace signum

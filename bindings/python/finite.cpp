@@ -25,8 +25,8 @@ std::string word_of(FiniteFault fault) {
 
 bool has_no_infinity(const py::object& faces) {
     const py::array array = py::array::ensure(faces);
-    if (!array || array.ndim() != 2 || array.shape(0) == 0) return false;
-    return array.shape(1) == 4 || py::bool_(array.attr("min")().attr("__ge__")(0));
+    if (!array || array.ndim() != 2) return false;
+    return array.shape(0) == 0 || array.shape(1) == 4 || py::bool_(array.attr("min")().attr("__ge__")(0));
 }
 
 FiniteValidation validated_finite(const py::object& sites, const py::object& simplices,
@@ -78,8 +78,16 @@ void bind_finite(py::module_& module) {
                 return kinds;
             },
             "The fault of each row in `faults`: 'number', 'flat', 'overlap' or 'conflict'.")
-        .def_readonly("open", &FiniteValidation::open,
-                      "Edges of one face that are not on the hull; of the plane.")
+        .def_property_readonly(
+            "open",
+            [](const FiniteValidation& v) {
+                py::list edges;
+                for (const auto& [face, between] : v.open)
+                    edges.append(py::make_tuple(face, between[0], between[1]));
+                return edges;
+            },
+            "Edges of one face that are not on the hull, (row of simplices, site, site) each; of "
+            "the plane.")
         .def_property_readonly(
             "missing",
             [](const FiniteValidation& v) {

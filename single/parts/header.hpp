@@ -50,10 +50,6 @@ struct Point3 {
 struct Site {
     double x, y, r;
 };
-/// A site of the power metric that says its weight itself.
-struct Weighted {
-    double x, y, w;
-};
 
 namespace reading {
 

@@ -531,7 +531,7 @@ std::vector<std::string> names_of_predicates() {
 }
 
 /// A question a line from standard input: its numbers, after the name of a predicate where the call
-/// has none. Blank lines and those that begin with # are none. Throws InputError for the first one
+/// has none, parted by blanks, commas, semicolons or brackets. What follows # is none. Throws InputError for the first one
 /// that cannot be asked; those before are answered.
 void answer_lines(const SignCall& call) {
     std::string line;
@@ -540,9 +540,12 @@ void answer_lines(const SignCall& call) {
         SignCall of_line = call;
         of_line.numbers.clear();
         of_line.place = {};
+        line.resize(std::min(line.find('#'), line.size()));
+        for (char& c : line)
+            if (std::string_view(",;()[]").find(c) != std::string_view::npos) c = ' ';
         std::istringstream words(line);
         std::string word;
-        if (!(words >> word) || word.front() == '#') continue;
+        if (!(words >> word)) continue;
         if (call.predicate == standard_input) {
             const std::vector<std::string> names = names_of_predicates();
             if (std::ranges::find(names, word) == names.end())

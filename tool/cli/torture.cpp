@@ -1,5 +1,6 @@
 /// signum torture: judges anybody's predicates.
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <memory>
@@ -47,8 +48,14 @@ void run(const TortureCall& call) {
     for (const std::string& path : call.sites) {
         const SitesFile file =
             read_sites(path, {.dimension = std::nullopt, .input = input_of(path, "")});
-        options.own.push_back(file.dimension == 3 ? torture::own_points(file.in_space)
-                                                  : torture::own_points(file.sites));
+        const torture::OwnPoints& own = options.own.emplace_back(
+            file.dimension == 3 ? torture::own_points(file.in_space)
+                                : torture::own_points(file.sites));
+        if (std::ranges::none_of(torture::all_asked, [&](torture::Asked asked) {
+                return plugin.has(asked) && torture::dimension_of(asked) == own.dimension;
+            }))
+            say("signum: {}: its points lie in {}, and {} has no function for them\n", path,
+                own.dimension == 2 ? "the plane" : "space", call.plugin);
     }
     const torture::Report report{call.plugin, call.seconds,
                                  with_progress(call.quiet, [&](const auto& show) {

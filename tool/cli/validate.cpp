@@ -80,18 +80,23 @@ constexpr std::array<std::pair<FiniteFault, std::string_view>, 4> faults = {
      {FiniteFault::overlap, "overlapping"},
      {FiniteFault::conflict, "in conflict"}}};
 
-std::string as_json(const FiniteValidation& judged) {
+/// Faces and sites are numbered as in the file: from `first`.
+std::string as_json(const FiniteValidation& judged, int first) {
     nlohmann::ordered_json json;
     json["valid"] = judged.valid;
     json["message"] = judged.message;
     json["faults"] = nlohmann::ordered_json::array();
     for (const auto& [face, fault] : judged.faults)
         json["faults"].push_back(
-            {{"face", face},
+            {{"face", face + first},
              {"fault",
               std::ranges::find(faults, fault, &decltype(faults)::value_type::first)->second}});
-    json["open"] = judged.open;
-    json["missing"] = judged.missing;
+    json["open"] = nlohmann::ordered_json::array();
+    for (const auto& [face, between] : judged.open)
+        json["open"].push_back({{"face", face + first},
+                                {"between", {between[0] + first, between[1] + first}}});
+    json["missing"] = nlohmann::ordered_json::array();
+    for (const std::int64_t site : judged.missing) json["missing"].push_back(site + first);
     return json.dump() + "\n";
 }
 
@@ -110,6 +115,12 @@ bool are_from_one(const FacesFile& read, const ValidateCall& call, Index sites) 
     look_at(read.faces);
     look_at(read.cells);
     return least == 1 && greatest == sites;
+}
+
+/// Whether a face has that number in the file.
+bool has_number(const FacesFile& read, Index number) {
+    const auto has = [&](const auto& row) { return std::ranges::find(row, number) != row.end(); };
+    return std::ranges::any_of(read.faces, has) || std::ranges::any_of(read.cells, has);
 }
 
 void run_finite(const ValidateCall& call) {
@@ -133,22 +144,26 @@ void run_finite(const ValidateCall& call) {
     const Outputs outputs(targets);
     const auto faces = renumbered(read.faces);
     const StridedSites in_plane = strided_view(sites.sites, given.third);
+    const int first = read.are_from_one || call.from_one ? 1 : 0;
+    const ValidationOptions options{.threads = call.threads};
     const FiniteValidation judged =
         in_space ? with_sites_in_space(given,
                                        [&](auto those) {
                                            const auto cells = renumbered(read.cells);
-                                           return validate_finite(cells, those,
-                                                                  {.threads = call.threads});
+                                           return validate_finite(cells, those, options, first);
                                        })
-                 : validate_finite(faces, in_plane, {.threads = call.threads});
-    outputs.write({{"json", [&](std::ostream& out) { out << as_json(judged); }},
-                   {"svg", [&](std::ostream& out) { draw_faults(out, faces, in_plane, judged); }}});
+                 : validate_finite(faces, in_plane, options, first);
+    outputs.write({{"json", [&](std::ostream& out) { out << as_json(judged, first); }},
+                   {"svg", [&](std::ostream& out) { draw_faults(out, faces, in_plane, judged, first); }}});
+    // What goes to standard output is the result alone.
+    const bool is_taken = std::ranges::count(targets, standard_output, &Target::path) > 0;
+    const auto tell = [&](std::string_view text) { is_taken ? say("{}", text) : print(text); };
     const auto count = static_cast<Index>(sites.sites.size() + sites.in_space.size());
-    print(judged.valid ? "valid\n"
-                       : fmt::format("not valid: {}{}\n", judged.message,
-                                     are_from_one(read, call, count)
-                                         ? "; --from-one takes them as numbered from 1"
-                                         : ""));
+    std::string_view hint;
+    if (are_from_one(read, call, count)) hint = "; --from-one takes them as numbered from 1";
+    if (call.from_one && has_number(read, 0))
+        hint = "; without --from-one they are taken as numbered from 0";
+    tell(judged.valid ? "valid\n" : fmt::format("not valid: {}{}\n", judged.message, hint));
     if (judged.valid) return;
     const std::string_view face = in_space ? "cells" : "faces";
     if (!judged.faults.empty()) {
@@ -158,12 +173,12 @@ void run_finite(const ValidateCall& call) {
             if (const std::int64_t count = count_of(judged, fault); count > 0)
                 line += fmt::format(" {} {},", count, name);
         line.back() = '\n';
-        print(line);
+        tell(line);
     }
-    if (judged.open > 0)
-        print(fmt::format("edges of one face that are not on the hull: {}\n", judged.open));
+    if (!judged.open.empty())
+        tell(fmt::format("edges of one face that are not on the hull: {}\n", judged.open.size()));
     if (!judged.missing.empty())
-        print(fmt::format("sites that are of no {}, and should be: {}\n",
+        tell(fmt::format("sites that are of no {}, and should be: {}\n",
                           in_space ? "cell" : "face", judged.missing.size()));
     const auto weighs = [](const auto& site) { return site.r != 0.0; };
     const bool is_regular =
@@ -181,6 +196,11 @@ void run(const ValidateCall& call) {
     if (call.tessellation == "-" && call.sites == "-") {
         throw CallError("only one of the two files can be standard input");
     }
+    const std::string ending = ending_of(call.tessellation);
+    if (ending != "json" && std::ranges::count(endings_of_faces, ending) > 0)
+        throw CallError(fmt::format(
+            "{}: that is a file of faces as other programs give them; add --finite",
+            call.tessellation));
     const ReadTessellation read = read_tessellation(call.tessellation);
     if (!read.note.empty()) say("signum: {}\n", read.note);
     const Validation result =

@@ -45,6 +45,7 @@ struct Look {
     std::string_view colour;
     std::string_view says;
 };
+constexpr std::string_view open_colour = "#e69f00";
 constexpr std::array<Look, 3> looks = {{{FiniteFault::conflict, "#d55e00", "a site in its circle"},
                                         {FiniteFault::overlap, "#cc79a7", "overlaps"},
                                         {FiniteFault::flat, "#0072b2", "flat"}}};
@@ -52,7 +53,7 @@ constexpr std::array<Look, 3> looks = {{{FiniteFault::conflict, "#d55e00", "a si
 }  // namespace
 
 void draw_faults(std::ostream& out, std::span<const std::array<Index, 3>> faces,
-                 const StridedSites& sites, const FiniteValidation& judged) {
+                 const StridedSites& sites, const FiniteValidation& judged, int numbered_from) {
     const FittedSites frame(sites);
     const auto path_of = [&](std::size_t f) {
         std::string path;
@@ -79,13 +80,22 @@ void draw_faults(std::ostream& out, std::span<const std::array<Index, 3>> faces,
                 fmt::print(out,
                            "<path fill=\"{0}\" fill-opacity=\"0.35\" stroke=\"{0}\" "
                            "stroke-width=\"2\" d=\"{1}\"><title>face {2}</title></path>\n",
-                           look.colour, path_of(static_cast<std::size_t>(face)), face);
+                           look.colour, path_of(static_cast<std::size_t>(face)), face + numbered_from);
+    for (const auto& [face, between] : judged.open) {
+        const Site a = sites[static_cast<std::size_t>(between[0])];
+        const Site b = sites[static_cast<std::size_t>(between[1])];
+        fmt::print(out,
+                   "<path stroke=\"{}\" stroke-width=\"3\" d=\"M{:.2f} {:.2f}L{:.2f} {:.2f}\">"
+                   "<title>face {} has it alone</title></path>\n",
+                   open_colour, frame.x(a.x), frame.y(a.y), frame.x(b.x), frame.y(b.y),
+                   face + numbered_from);
+    }
     for (const std::int64_t missing : judged.missing) {
         const Site s = sites[static_cast<std::size_t>(missing)];
         fmt::print(out,
                    "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"4\" fill=\"none\" stroke=\"#009e73\" "
                    "stroke-width=\"2\"><title>site {}</title></circle>\n",
-                   frame.x(s.x), frame.y(s.y), missing);
+                   frame.x(s.x), frame.y(s.y), missing + numbered_from);
     }
     double at = 20;
     const double line = frame.height - 30;
@@ -94,8 +104,13 @@ void draw_faults(std::ostream& out, std::span<const std::array<Index, 3>> faces,
                    "<rect x=\"{0:.0f}\" y=\"{1:.0f}\" width=\"14\" height=\"14\" fill=\"{2}\"/>"
                    "<text x=\"{3:.0f}\" y=\"{4:.0f}\">{5}</text>\n",
                    at, line - 12, look.colour, at + 20, line, look.says);
-        at += 190;
+        at += 150;
     }
+    fmt::print(out,
+               "<path stroke=\"{}\" stroke-width=\"3\" d=\"M{:.0f} {:.0f}h14\"/>"
+               "<text x=\"{:.0f}\" y=\"{:.0f}\">nothing behind it</text>\n",
+               open_colour, at, line - 5, at + 20, line);
+    at += 150;
     fmt::print(out,
                "<circle cx=\"{0:.0f}\" cy=\"{1:.0f}\" r=\"4\" fill=\"none\" stroke=\"#009e73\" "
                "stroke-width=\"2\"/><text x=\"{2:.0f}\" y=\"{3:.0f}\">of no face</text>\n",

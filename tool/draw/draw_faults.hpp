@@ -13,8 +13,9 @@ namespace signum {
 /// How many faces without fault are drawn; more are left out, but for what is said beneath.
 inline constexpr std::size_t most_faces_drawn = 20'000;
 
-/// SVG. The faces' numbers are those of sites, or such as there are not, which are not drawn.
+/// SVG. A face that names a site out of range is not drawn. Titles count faces and sites from
+/// `numbered_from`.
 void draw_faults(std::ostream& out, std::span<const std::array<Index, 3>> faces,
-                 const StridedSites& sites, const FiniteValidation& judged);
+                 const StridedSites& sites, const FiniteValidation& judged, int numbered_from = 0);
 
 }  // namespace signum

@@ -92,7 +92,10 @@ void InputFile::look_at_start() {
         fail({}, "this is UTF-16 text; save the file as UTF-8 or ASCII");
     }
     if (start.starts_with("\x93NUMPY"))
-        throw InputError(path_, "this is an array of NumPy's; add --read-as npy, or call it .npy");
+        throw InputError(path_, kind_ == "a file of sites"
+                                    ? "this is an array of NumPy's; add --read-as npy, or call it "
+                                      ".npy"
+                                    : fmt::format("this is an array of NumPy's, and no {}", kind_));
     if (const std::string_view by = compressor_of(start); !by.empty()) {
         throw InputError(path_, fmt::format("this is compressed by {}, and compressed files "
                                             "are not read; decompress it first",

@@ -286,7 +286,14 @@ FacesFile read_json(InputFile& file) {
 FacesFile read_array(const std::string& path) {
     const InputFile file(path, kind, Contents::bytes);
     Rows rows(file);
-    const SitesFile read = read_sites(path, {.input = input_by_ending("npy")});
+    const SitesFile read = [&] {
+        try {
+            return read_sites(path, {.input = input_by_ending("npy")});
+        } catch (const InputError&) {
+            throw InputError(path, "no array of rows of three or four whole numbers, which are the "
+                                   "numbers of points");
+        }
+    }();
     const auto add = [&](std::initializer_list<double> numbers, std::size_t k) {
         std::vector<std::int64_t> row;
         for (const double number : numbers) {

@@ -4,11 +4,16 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "../../core/index.hpp"
 
 namespace signum {
+
+/// Of files that are no plain rows.
+inline constexpr std::array<std::string_view, 6> endings_of_faces = {"npy", "json", "ele",
+                                                                     "obj", "ply",  "vtk"};
 
 struct FacesFile {
     /// One of the two: faces of the plane, or cells of space. The points are numbered from 0.

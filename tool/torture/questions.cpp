@@ -46,7 +46,7 @@ constexpr std::array<Family, 13> all_families = {
       "points for which doubles have the wrong sign by as much as a search finds: a "
       "filter's bound must be greater",
       50},
-     {"own", "points of the files given with --sites, most of them neighbours"}}};
+     {own_points_name, "points of the files given with --sites, most of them neighbours"}}};
 
 Point plane_point(const Question& q, std::size_t m) {
     return {q.point(m)[0], q.point(m)[1]};

@@ -57,6 +57,8 @@ struct Family {
     bool is_far = false;  ///< products of its numbers over- or underflow
 };
 [[nodiscard]] std::span<const Family> families() noexcept;
+/// The family of somebody's own points.
+inline constexpr std::string_view own_points_name = "own";
 
 /// Questions of a family, the same for the same seed.
 class Maker {

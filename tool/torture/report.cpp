@@ -28,7 +28,7 @@ std::string in_words(const Lost& lost) {
 /// What there is to say about one function: its signs in a word or two.
 std::string verdict_of(const Trial& trial) {
     if (trial.convention == Convention::unknown && trial.asked() == 0) return "not judged";
-    if (trial.is_faultless()) return "no sign wrong";
+    if (trial.is_faultless()) return fmt::format("none of {} signs wrong", trial.asked());
     std::string text = fmt::format("{} of {} signs wrong", trial.wrong(), trial.asked());
     if (!trial.lost.empty()) text += fmt::format(", {} calls lost", trial.lost.size());
     return text;
@@ -97,9 +97,14 @@ std::string in_words(const Report& report) {
         }
         text += fmt::format("{:<9} {}; signs: {}\n", name_of(asked), verdict_of(trial),
                             name_of(trial.convention));
+        if (trial.convention == Convention::unknown && trial.lost.empty())
+            text +=
+                "  is --returns right, and does it take a pointer to the coordinates of each point?\n";
         for (std::size_t family = 0; family < trial.counts.size(); ++family) {
             const Count& count = trial.counts[family];
-            if (count.wrong == 0) continue;
+            // Of points that somebody gave one wants to know that they were asked.
+            const bool is_own = families()[family].name == own_points_name;
+            if (count.wrong == 0 && !(is_own && count.asked > 0)) continue;
             text += fmt::format("  {:<14} {:>9} of {:>9} wrong", families()[family].name,
                                 count.wrong, count.asked);
             if (count.not_a_number > 0) text += fmt::format(", {} NaN", count.not_a_number);

@@ -81,6 +81,8 @@ End guarded(Shared& shared, double patience, const Work& work) {
         // What the tool does at such signals is not the plugin's.
         for (const int signal : {SIGINT, SIGTERM, SIGSEGV, SIGFPE, SIGABRT, SIGBUS, SIGILL})
             std::signal(signal, SIG_DFL);
+        // What a plugin prints is no part of a report.
+        ::dup2(STDERR_FILENO, STDOUT_FILENO);
         work();
         shared.is_done = true;
         ::_exit(0);

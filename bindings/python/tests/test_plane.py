@@ -149,7 +149,7 @@ def test_simplices_of_others_are_judged():
     judged = signum.validate(points, [[0, 1, 2], [2, 3, 0], [0, 1, 3]])
     assert not judged and not judged.valid
     assert judged.faults.tolist() == [0, 1, 2] and judged.kinds == ["overlap"] * 3
-    assert judged.missing.tolist() == [4] and judged.open == 0
+    assert judged.missing.tolist() == [4] and judged.open == []
     assert "same side" in judged.message and "same side" in repr(judged)
     # With infinity, or a metric, faces are those of a tessellation.
     t = signum.triangulate(points, "power")

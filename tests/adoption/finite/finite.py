@@ -43,15 +43,16 @@ def write_all(folder, points, faces):
         + "".join(f"{k} {rows([face])}" for k, face in enumerate(faces)) + "# made by hand\n",
         "one.ele": f"{len(faces)} {size} 1\n"
         + "".join(f"{k + 1} {rows([face], 1)[:-1]} 7\n" for k, face in enumerate(faces)),
-        "mesh.ply": f"ply\nformat ascii 1.0\nelement vertex {len(points)}\nproperty double x\n"
-        f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
-        + "".join("0 0 0\n" for _ in points) + "".join(f"{size} {rows([face])}" for face in faces),
         "mesh.vtk": "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET POLYDATA\n"
         f"POINTS {len(points)} double\n" + "".join("0 0 0\n" for _ in points)
         + f"{'POLYGONS' if size == 3 else 'CELLS'} {len(faces)} {len(faces) * (size + 1)}\n"
-        + "".join(f"{size} {rows([face])}" for face in faces),
+        + "".join(f"{size} {rows([face])}" for face in faces)
+        + f"CELL_TYPES {len(faces)}\n" + f"{5 if size == 3 else 10}\n" * len(faces),
     }
     if size == 3:
+        files["mesh.ply"] = (f"ply\nformat ascii 1.0\nelement vertex {len(points)}\nproperty double x\n"
+            f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
+            + "".join("0 0 0\n" for _ in points) + "".join(f"3 {rows([face])}" for face in faces))
         files["mesh.obj"] = "".join("v 0 0 0\n" for _ in points) + "".join(
             f"f {a + 1}//1 {b + 1} {c - len(points)}\n" for a, b, c in faces)
     for name, text in files.items():
@@ -80,7 +81,9 @@ with tempfile.TemporaryDirectory() as scratch:
         expect(0, "valid", path, scratch / "space.npy", "--columns", "1,2,3")
     paths, what = write_all(scratch, space, [[0, 1, 2, 3]])
     for path in paths:
-        expect(1, "site 4 is no vertex of any cell", path, scratch / "space.npy")
+        # Messages count as the file does.
+        number = 5 if path.name == "one.ele" else 4
+        expect(1, f"site {number} is no vertex of any cell", path, scratch / "space.npy")
 
     # Wrong files say where.
     bad = scratch / "bad.txt"
@@ -90,6 +93,12 @@ with tempfile.TemporaryDirectory() as scratch:
     expect(2, "bad.txt:2:1: a face has three points and a cell four, not 2", bad, scratch / "plane.npy")
     bad.write_text("0 1 2\n0 1 2 3\n")
     expect(2, "faces and cells do not come together", bad, scratch / "plane.npy")
+    quads = scratch / "quads.ply"
+    quads.write_text("ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int i\nend_header\n4 0 1 2 3\n")
+    expect(2, "quads.ply:6:1: a face of 4 points; triangles are judged", quads, scratch / "plane.npy")
+    quads = scratch / "quads.vtk"
+    quads.write_text("CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n9\n")
+    expect(2, "quads.vtk:4:1: a cell of type 9", quads, scratch / "space.npy", "--columns", "1,2,3")
     bad.write_text(rows(faces, 1))
     expect(1, "--from-one takes them as numbered from 1", bad, scratch / "plane.npy")
     expect(0, "valid", bad, scratch / "plane.npy", "--from-one")
