@@ -99,21 +99,24 @@ struct Space {
 /// The canonical tessellation, whose hidden sites are those of all, and its hull.
 struct Reference {
     std::vector<Hidden> hidden;
+    bool has_faces;                 ///< finite ones
     std::vector<Face> at_infinity;  ///< of the plane
 };
 Reference reference_of(const Plane& of, const ValidationOptions& options) {
     const Tessellation whole =
         triangulate(of.sites, Power{}, {.threads = options.threads, .stop = options.stop});
-    Reference reference{whole.arrays().hidden, {}};
-    for (const Face& face : whole.faces())
+    Reference reference{whole.arrays().hidden, false, {}};
+    for (const Face& face : whole.faces()) {
         if (face[0] == infinite) reference.at_infinity.push_back(face);
+        reference.has_faces |= face[0] != infinite;
+    }
     return reference;
 }
 template <class S>
 Reference reference_of(const Space<S>& of, const ValidationOptions& options) {
-    return {
-        triangulate(of.sites, Power{}, {.threads = options.threads, .stop = options.stop}).hidden,
-        {}};
+    const SpaceTessellation whole =
+        triangulate(of.sites, Power{}, {.threads = options.threads, .stop = options.stop});
+    return {whole.hidden, whole.dimension == 3, {}};
 }
 
 /// The judgement of validate() about the faces with those at infinity, which follow them.
@@ -174,6 +177,10 @@ class Judge {
         // What is wrong is looked for beside a tessellation of ours.
         const std::string message = std::exchange(result_.message, {});
         const Reference reference = reference_of(of_, options_);
+        if (faces_.empty() && !reference.has_faces) {
+            result_.valid = true;
+            return finished();
+        }
         find_missing(reference.hidden);
         if (has_been_glued_) count_open(border, reference.at_infinity);
         if (!message.empty()) result_.message = message;

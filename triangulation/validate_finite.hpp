@@ -47,7 +47,8 @@ struct FiniteValidation {
 
 /// Whether the faces are a Delaunay triangulation of the points or, where sites have third numbers,
 /// a regular one (power metric), whichever of those that ties allow. Of sites at one place and of
-/// one weight any one may be the vertex. No face at all is never valid. Throws std::invalid_argument for a site that is not
+/// one weight any one may be the vertex. No face at all is right where all sites lie on a line
+/// (in a plane). Throws std::invalid_argument for a site that is not
 /// finite; Stopped where options.stop asks for it. O(n log n), and a walk of some √n faces for each
 /// site of no face; where they are not valid, a triangulation more, to say what is missing. The
 /// message counts sites and faces from `numbered_from`.

@@ -12,6 +12,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -71,7 +72,7 @@ SIGNUM_READABLE(WithRadius, std::declval<const P&>().r + 0)
 
 /// The number itself, as a double; what a double cannot hold does not compile.
 template <class Number>
-[[nodiscard]] constexpr double exact_double(Number number) noexcept {
+[[nodiscard]] inline double exact_double(Number number) noexcept {
     static_assert(
         std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>,
         "signum: a coordinate must be a float, a double or an integer of at most 32 bits");
@@ -81,12 +82,21 @@ template <class Number>
     static_assert(
         !std::is_integral_v<Number> || sizeof(Number) <= 4,
         "signum: integers of 64 bits may be no doubles: convert those that are below 2^53");
+    if constexpr (std::is_same_v<Number, float>) {
+        // Where denormals are flushed a conversion would read one as 0.
+        uint32_t bits = 0;
+        memcpy(&bits, &number, sizeof bits);
+        if ((bits & 0x7f800000U) == 0) {
+            const double size = static_cast<double>(static_cast<int32_t>(bits & 0x7fffffU)) * 0x1p-149;
+            return (bits >> 31U) != 0 ? -size : size;
+        }
+    }
     return static_cast<double>(number);
 }
 template <class P>
 [[nodiscard]] double coordinate(const P& p, int k) noexcept {
     if constexpr (Told<P>::value) {
-        return coordinates<P>::at(p, k);
+        return exact_double(coordinates<P>::at(p, k));
     } else if constexpr (Named<P>::value) {
         return exact_double(k == 0 ? p.x : p.y);
     } else if constexpr (Called<P>::value) {
@@ -101,7 +111,7 @@ template <class P>
 template <class P>
 [[nodiscard]] double third(const P& p) noexcept {
     if constexpr (Told<P>::value) {
-        return coordinates<P>::at(p, 2);
+        return exact_double(coordinates<P>::at(p, 2));
     } else if constexpr (Named<P>::value) {
         return exact_double(p.z);
     } else if constexpr (Called<P>::value) {

@@ -129,6 +129,10 @@ Sign right_in(Convention convention, const Question& question) {
     }
     return sign;
 }
+Sign exact_turn_of(const Question& question) {
+    const exact::IeeeEnvironment environment;
+    return exact_turn(question);
+}
 bool is_right(double said, Sign right) {
     return !std::isnan(said) && sign_of(said) == right;
 }
@@ -157,6 +161,10 @@ void ask(const Plugin& plugin, Shared& shared, const Question& question, std::si
     const std::size_t function = place_of(question.asked);
     const Convention convention = shared.conventions[function];
     const double said = watched(plugin, shared, question);
+    // Of points on a line (in a plane) there is no inside.
+    const bool is_bounded =
+        convention == Convention::bounded || convention == Convention::bounded_opposite;
+    if (is_bounded && exact_turn_of(question) == 0) return;
     const Sign right = right_in(convention, question);
     Count& count = shared.counts[function][family];
     ++count.asked;
@@ -177,8 +185,12 @@ void simplify(const Plugin& plugin, Shared& shared, Asked asked) {
         const int cost = cost_of(question);
         if (cost >= smallest.cost) return false;
         const double said = watched(plugin, shared, question);
-        const Sign right = right_in(shared.conventions[place_of(asked)], question);
+        const Convention convention = shared.conventions[place_of(asked)];
+        const Sign right = right_in(convention, question);
         if (is_right(said, right)) return false;
+        if ((convention == Convention::bounded || convention == Convention::bounded_opposite) &&
+            exact_turn_of(question) == 0)
+            return false;
         smallest = {cost, {question, said, right}};
         return true;
     };

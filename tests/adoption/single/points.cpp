@@ -7,6 +7,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
 
 namespace {
 
@@ -108,6 +111,15 @@ int main() {
     EXPECT(Power::in_circle(i, j, Site{2, 5, 1}, Balls{{2, 1, 0}}), 1);
     EXPECT(Supremum::in_circle_infinite(i, j, Site{2, -3, 0}), 1);
     EXPECT(Manhattan::hidden(Site{0, 0, 1}, Site{1, 0, 1}), 0);
+
+#if defined(__SSE2__)
+    // A float that is denormal is the same number where those are flushed.
+    const unsigned before = _mm_getcsr();
+    _mm_setcsr(before | 0x8040U);
+    const Named corner_of_floats{0, 0}, beside{0x1p-140F, 0}, above{0, 0x1p-140F};
+    EXPECT(ccw(corner_of_floats, beside, above), 1);
+    _mm_setcsr(before);
+#endif
 
     const double terms[] = {1e300, 1.0, -1e300};
     EXPECT(sign_of_sum(terms, 3), 1);
