@@ -36,6 +36,8 @@
 // The library's sources define functions that these two files do not call.
 #pragma GCC diagnostic ignored "-Wunused-function"
 #if defined(__clang__)
+// It does not tell that it may reassociate (-funsafe-math-optimizations): here it may not.
+#pragma float_control(precise, on)
 #pragma clang diagnostic ignored "-Wunused-const-variable"
 #pragma clang diagnostic ignored "-Wunneeded-internal-declaration"
 #endif
@@ -229,15 +231,15 @@ using TwoTerms = TwoTermsOf<double>;
 }
 template <class Number = double>
 [[nodiscard, gnu::always_inline]] inline TwoTerms two_sum(double a, double b) noexcept {
-    const double sum = settled(a + b);
-    const double b_virtual = settled(sum - a);
-    const double a_virtual = settled(sum - b_virtual);
-    return {sum, settled(a - a_virtual) + settled(b - b_virtual)};
+    const double sum = a + b;
+    const double b_virtual = sum - a;
+    const double a_virtual = sum - b_virtual;
+    return {sum, (a - a_virtual) + (b - b_virtual)};
 }
 template <class Number = double>
 [[nodiscard, gnu::always_inline]] inline TwoTerms quick_two_sum(double a, double b) noexcept {
-    const double sum = settled(a + b);
-    return {sum, b - settled(sum - a)};
+    const double sum = a + b;
+    return {sum, b - (sum - a)};
 }
 [[nodiscard, gnu::always_inline]] inline TwoTerms two_difference(double a, double b) noexcept {
     return two_sum(a, -b);

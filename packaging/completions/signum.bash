@@ -15,7 +15,7 @@ _signum() {
         validate) options='--help --columns --read-as --finite --from-one --weight-is --output --format --threads --quiet' ;;
         study) options='--help --motion --dimension --output --quick --metric --sites --seconds --fresh --no-report --quiet' ;;
         simulate) options='--help --set --until --events --box --periodic --gravity --restitution --wall-restitution --structure --arithmetic --output --format --every --show --closest --save --resume --explain --stats --quiet' ;;
-        torture) options='--help --orient2d --incircle --orient3d --insphere --init --returns --seconds --seed --output --format --json --quiet' ;;
+        torture) options='--help --orient2d --incircle --orient3d --insphere --init --returns --seconds --seed --sites --output --format --json --quiet' ;;
     esac
     [ "$COMP_CWORD" -eq 2 ] && [[ $word != -* ]] && before=
     case $command:$before in

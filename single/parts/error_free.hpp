@@ -27,16 +27,15 @@ using TwoTerms = TwoTermsOf<double>;
 
 template <class Number = double>
 [[nodiscard, gnu::always_inline]] inline TwoTerms two_sum(double a, double b) noexcept {
-    // Clang does not say that it may reassociate.
-    const double sum = settled(a + b);
-    const double b_virtual = settled(sum - a);
-    const double a_virtual = settled(sum - b_virtual);
-    return {sum, settled(a - a_virtual) + settled(b - b_virtual)};
+    const double sum = a + b;
+    const double b_virtual = sum - a;
+    const double a_virtual = sum - b_virtual;
+    return {sum, (a - a_virtual) + (b - b_virtual)};
 }
 template <class Number = double>
 [[nodiscard, gnu::always_inline]] inline TwoTerms quick_two_sum(double a, double b) noexcept {
-    const double sum = settled(a + b);
-    return {sum, b - settled(sum - a)};
+    const double sum = a + b;
+    return {sum, b - (sum - a)};
 }
 [[nodiscard, gnu::always_inline]] inline TwoTerms two_difference(double a, double b) noexcept {
     return two_sum(a, -b);

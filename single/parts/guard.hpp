@@ -14,6 +14,8 @@
 // The library's sources define functions that these two files do not call.
 #pragma GCC diagnostic ignored "-Wunused-function"
 #if defined(__clang__)
+// It does not tell that it may reassociate (-funsafe-math-optimizations): here it may not.
+#pragma float_control(precise, on)
 #pragma clang diagnostic ignored "-Wunused-const-variable"
 #pragma clang diagnostic ignored "-Wunneeded-internal-declaration"
 #endif

@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../../predicates/ccw.hpp"
 #include "../../predicates/space.hpp"
 #include "../../triangulation/space/triangulate.hpp"
 #include "../../triangulation/triangulate.hpp"
@@ -189,7 +190,7 @@ TEST(ValidateFinite, IsTheDefinition) {
         if (faces.empty()) {
             EXPECT_EQ(judged.valid, std::ranges::all_of(points, [&](const Point& p) {
                           return std::ranges::all_of(points, [&](const Point& q) {
-                              return ccw(points[0], p, q) == 0;
+                              return signum::ccw(points[0], p, q) == 0;
                           });
                       }));
             continue;
