@@ -316,8 +316,7 @@ class Judge {
             const auto f = static_cast<std::size_t>(sides[s].face);
             const auto g = static_cast<std::size_t>(sides[s + 1].face);
             // A flat one has no side and no circle.
-            if (end - s == 2 && flat > 0 &&
-                (of_.turn(faces_[f]) == 0 || of_.turn(faces_[g]) == 0))
+            if (end - s == 2 && flat > 0 && (of_.turn(faces_[f]) == 0 || of_.turn(faces_[g]) == 0))
                 continue;
             if (end - s > 2 || sides[s].is_even == sides[s + 1].is_even) {
                 for (std::size_t each = s; each < end; ++each)
@@ -332,8 +331,8 @@ class Judge {
             const Index beyond = faces_[g][sides[s + 1].corner];
             if (of_.conflict(faces_[f], beyond) > 0) {
                 blame(f, FiniteFault::conflict,
-                      "site " + number(beyond) + " of " + name(g) + " lies in its " +
-                          Of::ball + ", across their " + facet_of(sides[s]));
+                      "site " + number(beyond) + " of " + name(g) + " lies in its " + Of::ball +
+                          ", across their " + facet_of(sides[s]));
                 result_.faults.push_back({static_cast<std::int64_t>(g), FiniteFault::conflict});
             }
         }
@@ -358,8 +357,8 @@ class Judge {
             if (is_vertex_[i] == 0 && is_hidden[i] == 0)
                 result_.missing.push_back(static_cast<std::int64_t>(i));
         if (!result_.missing.empty() && result_.message.empty())
-            result_.message = "site " + number(result_.missing.front()) +
-                              " is no vertex of any " + Of::face + ", and should be one";
+            result_.message = "site " + number(result_.missing.front()) + " is no vertex of any " +
+                              Of::face + ", and should be one";
     }
 
     /// Whether they are a regular triangulation of their vertices, and no other site comes into a
@@ -463,11 +462,13 @@ FiniteValidation validate_finite(std::span<const std::array<Index, 3>> faces, St
     return Judge<Plane>({sites}, faces, options, numbered_from).run();
 }
 FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
-                                 std::span<const Point3> sites, const ValidationOptions& options, int numbered_from) {
+                                 std::span<const Point3> sites, const ValidationOptions& options,
+                                 int numbered_from) {
     return Judge<Space<Point3>>({sites}, cells, options, numbered_from).run();
 }
 FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,
-                                 std::span<const Site3> sites, const ValidationOptions& options, int numbered_from) {
+                                 std::span<const Site3> sites, const ValidationOptions& options,
+                                 int numbered_from) {
     return Judge<Space<Site3>>({sites}, cells, options, numbered_from).run();
 }
 FiniteValidation validate_finite(std::span<const std::array<Index, 4>> cells,

@@ -26,7 +26,8 @@ std::string word_of(FiniteFault fault) {
 bool has_no_infinity(const py::object& faces) {
     const py::array array = py::array::ensure(faces);
     if (!array || array.ndim() != 2) return false;
-    return array.shape(0) == 0 || array.shape(1) == 4 || py::bool_(array.attr("min")().attr("__ge__")(0));
+    return array.shape(0) == 0 || array.shape(1) == 4 ||
+           py::bool_(array.attr("min")().attr("__ge__")(0));
 }
 
 FiniteValidation validated_finite(const py::object& sites, const py::object& simplices,

@@ -195,7 +195,8 @@ TEST(ValidateFinite, IsTheDefinition) {
                       }));
             continue;
         }
-        EXPECT_EQ(judged.valid, is_triangulation(faces, places)) << "trial " << trial << ": " << judged.message;
+        EXPECT_EQ(judged.valid, is_triangulation(faces, places))
+            << "trial " << trial << ": " << judged.message;
         EXPECT_EQ(judged.valid, judged.message.empty()) << judged.message;
         (judged.valid ? valid : not_valid) += 1;
         if (HasFailure()) return;
@@ -315,7 +316,8 @@ TEST(ValidateFinite, SaysWhatIsWrong) {
     EXPECT_FALSE(conflict.valid);
     EXPECT_EQ(conflict.faults.size(), 2U);
     EXPECT_EQ(conflict.faults[0].fault, FiniteFault::conflict);
-    EXPECT_EQ(conflict.message, "face 0: site 2 of face 1 lies in its circle, across their edge 0 4");
+    EXPECT_EQ(conflict.message,
+              "face 0: site 2 of face 1 lies in its circle, across their edge 0 4");
     EXPECT_EQ(message_of({{0, 1, 2}, {0, 2, 3}, {2, 1, 4}, {0, 2, 4}}),
               "face 0: 3 faces share its edge 0 2");
     EXPECT_EQ(message_of({{0, 1, 2}, {0, 1, 3}, {2, 1, 4}}),

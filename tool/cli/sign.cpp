@@ -531,8 +531,8 @@ std::vector<std::string> names_of_predicates() {
 }
 
 /// A question a line from standard input: its numbers, after the name of a predicate where the call
-/// has none, parted by blanks, commas, semicolons or brackets. What follows # is none. Throws InputError for the first one
-/// that cannot be asked; those before are answered.
+/// has none, parted by blanks, commas, semicolons or brackets. What follows # is none. Throws
+/// InputError for the first one that cannot be asked; those before are answered.
 void answer_lines(const SignCall& call) {
     std::string line;
     std::int64_t number = 1;

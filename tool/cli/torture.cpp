@@ -48,9 +48,9 @@ void run(const TortureCall& call) {
     for (const std::string& path : call.sites) {
         const SitesFile file =
             read_sites(path, {.dimension = std::nullopt, .input = input_of(path, "")});
-        const torture::OwnPoints& own = options.own.emplace_back(
-            file.dimension == 3 ? torture::own_points(file.in_space)
-                                : torture::own_points(file.sites));
+        const torture::OwnPoints& own =
+            options.own.emplace_back(file.dimension == 3 ? torture::own_points(file.in_space)
+                                                         : torture::own_points(file.sites));
         if (std::ranges::none_of(torture::all_asked, [&](torture::Asked asked) {
                 return plugin.has(asked) && torture::dimension_of(asked) == own.dimension;
             }))

@@ -93,8 +93,8 @@ std::string as_json(const FiniteValidation& judged, int first) {
               std::ranges::find(faults, fault, &decltype(faults)::value_type::first)->second}});
     json["open"] = nlohmann::ordered_json::array();
     for (const auto& [face, between] : judged.open)
-        json["open"].push_back({{"face", face + first},
-                                {"between", {between[0] + first, between[1] + first}}});
+        json["open"].push_back(
+            {{"face", face + first}, {"between", {between[0] + first, between[1] + first}}});
     json["missing"] = nlohmann::ordered_json::array();
     for (const std::int64_t site : judged.missing) json["missing"].push_back(site + first);
     return json.dump() + "\n";
@@ -153,8 +153,9 @@ void run_finite(const ValidateCall& call) {
                                            return validate_finite(cells, those, options, first);
                                        })
                  : validate_finite(faces, in_plane, options, first);
-    outputs.write({{"json", [&](std::ostream& out) { out << as_json(judged, first); }},
-                   {"svg", [&](std::ostream& out) { draw_faults(out, faces, in_plane, judged, first); }}});
+    outputs.write(
+        {{"json", [&](std::ostream& out) { out << as_json(judged, first); }},
+         {"svg", [&](std::ostream& out) { draw_faults(out, faces, in_plane, judged, first); }}});
     // What goes to standard output is the result alone.
     const bool is_taken = std::ranges::count(targets, standard_output, &Target::path) > 0;
     const auto tell = [&](std::string_view text) { is_taken ? say("{}", text) : print(text); };
@@ -178,8 +179,8 @@ void run_finite(const ValidateCall& call) {
     if (!judged.open.empty())
         tell(fmt::format("edges of one face that are not on the hull: {}\n", judged.open.size()));
     if (!judged.missing.empty())
-        tell(fmt::format("sites that are of no {}, and should be: {}\n",
-                          in_space ? "cell" : "face", judged.missing.size()));
+        tell(fmt::format("sites that are of no {}, and should be: {}\n", in_space ? "cell" : "face",
+                         judged.missing.size()));
     const auto weighs = [](const auto& site) { return site.r != 0.0; };
     const bool is_regular =
         std::ranges::any_of(sites.sites, weighs) || std::ranges::any_of(sites.in_space, weighs);
@@ -196,11 +197,10 @@ void run(const ValidateCall& call) {
     if (call.tessellation == "-" && call.sites == "-") {
         throw CallError("only one of the two files can be standard input");
     }
-    const std::string ending = ending_of(call.tessellation);
-    if (ending != "json" && std::ranges::count(endings_of_faces, ending) > 0)
-        throw CallError(fmt::format(
-            "{}: that is a file of faces as other programs give them; add --finite",
-            call.tessellation));
+    if (is_ending_of_faces(ending_of(call.tessellation)))
+        throw CallError(
+            fmt::format("{}: that is a file of faces as other programs give them; add --finite",
+                        call.tessellation));
     const ReadTessellation read = read_tessellation(call.tessellation);
     if (!read.note.empty()) say("signum: {}\n", read.note);
     const Validation result =

@@ -80,7 +80,8 @@ void draw_faults(std::ostream& out, std::span<const std::array<Index, 3>> faces,
                 fmt::print(out,
                            "<path fill=\"{0}\" fill-opacity=\"0.35\" stroke=\"{0}\" "
                            "stroke-width=\"2\" d=\"{1}\"><title>face {2}</title></path>\n",
-                           look.colour, path_of(static_cast<std::size_t>(face)), face + numbered_from);
+                           look.colour, path_of(static_cast<std::size_t>(face)),
+                           face + numbered_from);
     for (const auto& [face, between] : judged.open) {
         const Site a = sites[static_cast<std::size_t>(between[0])];
         const Site b = sites[static_cast<std::size_t>(between[1])];

@@ -134,9 +134,9 @@ FacesFile read_ele(InputFile& file) {
     const std::int64_t count = lines.number(0);
     const std::int64_t corners = lines.words().size() > 1 ? lines.number(1) : 3;
     if (corners != 3 && corners != 4 && corners != 6 && corners != 10)
-        file.fail(lines.position(1),
-                  fmt::format("{} points of each; triangles have 3 or 6, tetrahedra 4 or 10",
-                              corners));
+        file.fail(
+            lines.position(1),
+            fmt::format("{} points of each; triangles have 3 or 6, tetrahedra 4 or 10", corners));
     // Of six (ten) the first three (four) are corners, the others on edges.
     const std::size_t size = corners == 4 || corners == 10 ? 4 : 3;
     for (std::int64_t k = 0; k < count; ++k) {
@@ -238,10 +238,11 @@ FacesFile read_vtk(InputFile& file) {
             while (lines.next() && lines.if_number(0))
                 for (std::size_t word = 0; word < lines.words().size(); ++word)
                     if (const std::int64_t type = lines.number(word); type != 5 && type != 10)
-                        file.fail(lines.position(word),
-                                  fmt::format("a cell of type {}; triangles (5) and tetrahedra (10) "
-                                              "are judged",
-                                              type));
+                        file.fail(
+                            lines.position(word),
+                            fmt::format("a cell of type {}; triangles (5) and tetrahedra (10) "
+                                        "are judged",
+                                        type));
         return rows.finished();
     }
     file.fail(lines.position(), "neither POLYGONS nor CELLS in it");
@@ -290,8 +291,9 @@ FacesFile read_array(const std::string& path) {
         try {
             return read_sites(path, {.input = input_by_ending("npy")});
         } catch (const InputError&) {
-            throw InputError(path, "no array of rows of three or four whole numbers, which are the "
-                                   "numbers of points");
+            throw InputError(path,
+                             "no array of rows of three or four whole numbers, which are the "
+                             "numbers of points");
         }
     }();
     const auto add = [&](std::initializer_list<double> numbers, std::size_t k) {
@@ -315,6 +317,11 @@ FacesFile read_array(const std::string& path) {
 
 }  // namespace
 }  // namespace faces
+
+bool is_ending_of_faces(std::string_view ending) noexcept {
+    constexpr std::array<std::string_view, 5> endings = {"npy", "ele", "obj", "ply", "vtk"};
+    return std::ranges::find(endings, ending) != endings.end();
+}
 
 FacesFile read_faces(const std::string& path) {
     const std::size_t point = path.rfind('.');

@@ -11,9 +11,8 @@
 
 namespace signum {
 
-/// Of files that are no plain rows.
-inline constexpr std::array<std::string_view, 6> endings_of_faces = {"npy", "json", "ele",
-                                                                     "obj", "ply",  "vtk"};
+/// Whether a file of that ending is a table or a mesh of faces, and no JSON.
+[[nodiscard]] bool is_ending_of_faces(std::string_view ending) noexcept;
 
 struct FacesFile {
     /// One of the two: faces of the plane, or cells of space. The points are numbered from 0.

@@ -14,8 +14,7 @@ template <class Result>
 double call(void* function, const Question& question) {
     Question copy = question;
     std::array<double*, 5> p;
-    for (std::size_t m = 0; m < p.size(); ++m)
-        p[m] = &copy.numbers[m * dimension_of(copy.asked)];
+    for (std::size_t m = 0; m < p.size(); ++m) p[m] = &copy.numbers[m * dimension_of(copy.asked)];
     using Three = Result(double*, double*, double*);
     using Four = Result(double*, double*, double*, double*);
     using Five = Result(double*, double*, double*, double*, double*);

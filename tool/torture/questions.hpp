@@ -53,7 +53,7 @@ struct Question {
 struct Family {
     std::string_view name;
     std::string_view says;
-    int in_a_row = 500;    ///< questions before the next family's turn
+    int in_a_row = 500;   ///< questions before the next family's turn
     bool is_far = false;  ///< products of its numbers over- or underflow
 };
 [[nodiscard]] std::span<const Family> families() noexcept;

@@ -99,7 +99,8 @@ std::string in_words(const Report& report) {
                             name_of(trial.convention));
         if (trial.convention == Convention::unknown && trial.lost.empty())
             text +=
-                "  is --returns right, and does it take a pointer to the coordinates of each point?\n";
+                "  is --returns right, and does it take a pointer to the coordinates of each "
+                "point?\n";
         for (std::size_t family = 0; family < trial.counts.size(); ++family) {
             const Count& count = trial.counts[family];
             // Of points that somebody gave one wants to know that they were asked.
