@@ -230,16 +230,16 @@ class Judge {
         std::iota(order.begin(), order.end(), 0);
         const auto key = [&](Index i) { return of_.key(static_cast<std::size_t>(i)); };
         std::ranges::sort(order, {}, [&](Index i) { return std::pair(key(i), i); });
-        first_.assign(of_.size(), 0);
+        std::vector<Index> first(of_.size(), 0);  // of the sites that equal it
         for (std::size_t k = 0, end = 0; k < order.size(); k = end) {
             for (end = k; end < order.size() && key(order[end]) == key(order[k]); ++end)
-                first_[static_cast<std::size_t>(order[end])] = order[k];
+                first[static_cast<std::size_t>(order[end])] = order[k];
         }
         // The first of equal ones is the canonical one.
         std::vector<char> is_first_vertex(of_.size(), 0);
         for (std::size_t i = 0; i < of_.size(); ++i) {
             if (is_vertex_[i] == 0) continue;
-            char& known = is_first_vertex[static_cast<std::size_t>(first_[i])];
+            char& known = is_first_vertex[static_cast<std::size_t>(first[i])];
             if (known != 0 && result_.message.empty())
                 result_.message = "site " + number(static_cast<std::int64_t>(i)) +
                                   " is a vertex, and another one at the same place is, too";
@@ -247,7 +247,7 @@ class Judge {
         }
         is_vertex_ = std::move(is_first_vertex);
         for (Face& face : faces_)
-            for (Index& site : face) site = first_[static_cast<std::size_t>(site)];
+            for (Index& site : face) site = first[static_cast<std::size_t>(site)];
     }
 
     void turn_alike(std::size_t f) {
@@ -261,10 +261,11 @@ class Judge {
         if (turn < 0) std::swap(face[corners - 2], face[corners - 1]);
     }
 
-    [[nodiscard]] Side side_of(std::size_t f, std::size_t corner) const {
+    [[nodiscard]] static Side side_of(const std::vector<Face>& faces, std::size_t f,
+                                      std::size_t corner) {
         Side side{{}, static_cast<std::int64_t>(f), corner, corner % 2 == 0};
         for (std::size_t k = 0, to = 0; k < corners; ++k)
-            if (k != corner) side.sites[to++] = faces_[f][k];
+            if (k != corner) side.sites[to++] = faces[f][k];
         for (std::size_t end = corners - 1; end > 1; --end)
             for (std::size_t k = 0; k + 1 < end; ++k)
                 if (side.sites[k + 1] < side.sites[k]) {
@@ -274,18 +275,19 @@ class Judge {
         return side;
     }
     /// All of all faces, those of one facet beside one another.
-    [[nodiscard]] std::vector<Side> sorted_sides() const {
+    [[nodiscard]] static std::vector<Side> sorted_sides(const std::vector<Face>& faces) {
         std::vector<Side> sides;
-        sides.reserve(corners * faces_.size());
-        for (std::size_t f = 0; f < faces_.size(); ++f)
-            for (std::size_t k = 0; k < corners; ++k) sides.push_back(side_of(f, k));
+        sides.reserve(corners * faces.size());
+        for (std::size_t f = 0; f < faces.size(); ++f)
+            for (std::size_t k = 0; k < corners; ++k) sides.push_back(side_of(faces, f, k));
         std::ranges::sort(sides, {}, [](const Side& s) { return std::tuple(s.sites, s.face); });
         return sides;
     }
     /// With those at infinity; false where the border is no closed curve (surface).
-    [[nodiscard]] bool find_neighbours(std::vector<Face>& neighbours) {
-        const std::vector<Side> sides = sorted_sides();
-        neighbours.resize(faces_.size());
+    [[nodiscard]] bool find_neighbours(const std::vector<Face>& faces,
+                                       std::vector<Face>& neighbours) {
+        const std::vector<Side> sides = sorted_sides(faces);
+        neighbours.resize(faces.size());
         for (std::size_t s = 0; s < sides.size(); s += 2) {
             const bool are_two = s + 1 < sides.size() && sides[s].sites == sides[s + 1].sites &&
                                  (s + 2 == sides.size() || sides[s + 2].sites != sides[s].sites);
@@ -305,7 +307,7 @@ class Judge {
     }
     /// Two faces at each facet, on different sides, and neither site beyond in the other's circle.
     void pair_up(std::vector<Side>& border) {
-        const std::vector<Side> sides = sorted_sides();
+        const std::vector<Side> sides = sorted_sides(faces_);
         const std::size_t flat = result_.faults.size();
         for (std::size_t s = 0, end = 0; s < sides.size(); s = end) {
             for (end = s; end < sides.size() && sides[end].sites == sides[s].sites;) ++end;
@@ -364,12 +366,11 @@ class Judge {
     /// Whether they are a regular triangulation of their vertices, and no other site comes into a
     /// circle: each of them is looked for, and a walk in such a triangulation ends.
     [[nodiscard]] bool are_a_triangulation(const std::vector<Side>& border) {
-        const std::vector<Face> finite = faces_;
-        for (const Side& side : border) faces_.push_back(beyond(side));
+        std::vector<Face> faces = faces_;
+        for (const Side& side : border) faces.push_back(beyond(side));
         std::vector<Face> neighbours;
-        const bool is_closed = find_neighbours(neighbours);
-        const std::vector<Face> faces = std::exchange(faces_, finite);
-        return is_closed && is_regular(faces, neighbours) && hides_the_others(faces, neighbours);
+        return find_neighbours(faces, neighbours) && is_regular(faces, neighbours) &&
+               hides_the_others(faces, neighbours);
     }
     [[nodiscard]] bool is_regular(std::vector<Face> faces, const std::vector<Face>& neighbours) {
         std::vector<Index> vertices;
@@ -450,7 +451,6 @@ class Judge {
     int first_number_;
     FiniteValidation result_;
     std::vector<char> is_vertex_;
-    std::vector<Index> first_;  ///< of the sites that equal it
     bool has_been_glued_ = false;
     std::string why_;  ///< they are no triangulation, where nothing else is at fault
 };

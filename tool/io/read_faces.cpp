@@ -233,7 +233,7 @@ FacesFile read_vtk(InputFile& file) {
                                       what == "POLYGONS" ? "polygon" : "cell", size));
             rows.add(lines.numbers(1, static_cast<std::size_t>(size)), lines.position());
         }
-        // Four points are those of a quadrangle, too, which CELL_TYPES tell by 8 and 9.
+        // A cell of four points may be a quadrangle. CELL_TYPES says what each cell is.
         while (lines.next() && lines.words()[0].text == "CELL_TYPES")
             while (lines.next() && lines.if_number(0))
                 for (std::size_t word = 0; word < lines.words().size(); ++word)

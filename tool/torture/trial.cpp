@@ -13,6 +13,7 @@
 #include <cstring>
 #include <new>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <thread>
 
@@ -112,29 +113,22 @@ double watched(const Plugin& plugin, Shared& shared, const Question& question) {
     return plugin.ask(question);
 }
 
-/// In the default environment, whatever the plugin has left behind.
-Sign right_in(Convention convention, const Question& question) {
+/// In the default environment, whatever the plugin has left behind. Nothing where it is asked for
+/// the inside of points on a line (in a plane).
+std::optional<Sign> right_in(Convention convention, const Question& question) {
     const exact::IeeeEnvironment environment;
-    const Sign sign = exact_sign(question);
-    switch (convention) {
-        case Convention::unknown:
-        case Convention::shewchuk:
-            return sign;
-        case Convention::opposite:
-            return -sign;
-        case Convention::bounded:
-            return sign * exact_turn(question);
-        case Convention::bounded_opposite:
-            return -sign * exact_turn(question);
+    Sign sign = exact_sign(question);
+    if (convention == Convention::bounded || convention == Convention::bounded_opposite) {
+        const Sign turn = exact_turn(question);
+        if (turn == 0) return std::nullopt;
+        sign *= turn;
     }
-    return sign;
+    const bool is_opposite =
+        convention == Convention::opposite || convention == Convention::bounded_opposite;
+    return is_opposite ? -sign : sign;
 }
-Sign exact_turn_of(const Question& question) {
-    const exact::IeeeEnvironment environment;
-    return exact_turn(question);
-}
-bool is_right(double said, Sign right) {
-    return !std::isnan(said) && sign_of(said) == right;
+bool is_right(double said, std::optional<Sign> right) {
+    return !right || (!std::isnan(said) && sign_of(said) == *right);
 }
 
 /// The convention in which all answers to clear questions are right.
@@ -161,11 +155,8 @@ void ask(const Plugin& plugin, Shared& shared, const Question& question, std::si
     const std::size_t function = place_of(question.asked);
     const Convention convention = shared.conventions[function];
     const double said = watched(plugin, shared, question);
-    // Of points on a line (in a plane) there is no inside.
-    const bool is_bounded =
-        convention == Convention::bounded || convention == Convention::bounded_opposite;
-    if (is_bounded && exact_turn_of(question) == 0) return;
-    const Sign right = right_in(convention, question);
+    const std::optional<Sign> right = right_in(convention, question);
+    if (!right) return;
     Count& count = shared.counts[function][family];
     ++count.asked;
     if (is_right(said, right)) return;
@@ -173,7 +164,7 @@ void ask(const Plugin& plugin, Shared& shared, const Question& question, std::si
     count.not_a_number += std::isnan(said) ? 1 : 0;
     Smallest& smallest = shared.smallest[function];
     const int cost = cost_of(question);
-    if (smallest.cost == 0 || cost < smallest.cost) smallest = {cost, {question, said, right}};
+    if (smallest.cost == 0 || cost < smallest.cost) smallest = {cost, {question, said, *right}};
 }
 
 /// Makes the example simpler as long as the plugin is wrong about it: numbers become 0, or lose
@@ -185,13 +176,9 @@ void simplify(const Plugin& plugin, Shared& shared, Asked asked) {
         const int cost = cost_of(question);
         if (cost >= smallest.cost) return false;
         const double said = watched(plugin, shared, question);
-        const Convention convention = shared.conventions[place_of(asked)];
-        const Sign right = right_in(convention, question);
+        const auto right = right_in(shared.conventions[place_of(asked)], question);
         if (is_right(said, right)) return false;
-        if ((convention == Convention::bounded || convention == Convention::bounded_opposite) &&
-            exact_turn_of(question) == 0)
-            return false;
-        smallest = {cost, {question, said, right}};
+        smallest = {cost, {question, said, *right}};
         return true;
     };
     for (bool is_changed = true; is_changed;) {
@@ -330,7 +317,7 @@ std::array<Trial, functions> torture(const Plugin& plugin, const Options& option
         trial.said.assign(shared.said[function].begin(), shared.said[function].end());
         trial.right.resize(pixels);
         for_pixels([&](const Question& question, std::size_t at) {
-            trial.right[at] = static_cast<std::int8_t>(right_in(trial.convention, question));
+            trial.right[at] = static_cast<std::int8_t>(right_in(trial.convention, question).value_or(0));
         });
     }
     return trials;
