@@ -1036,12 +1036,15 @@ TEST_F(Tool, AnswersAQuestionALine) {
                                                "ccw 0 0 1\n");
     Circumstances from_questions;
     from_questions.in = questions;
-    const Outcome mixed = run({"sign", "-", "--metric", "power"}, from_questions);
+    const Outcome mixed = run({"sign", "-"}, from_questions);
     EXPECT_EQ(mixed.out, "1 filter\n-1 filter\n-1 filter\n0 exact\n0 exact\n");
     EXPECT_EQ(mixed.err,
               "standard input:8:1: sign ccw needs 6 numbers, x y of each of three points; 3 are "
               "given\n");
     EXPECT_EQ(mixed.code, 2);
+    EXPECT_EQ(run({"sign", "-", "--metric", "power"}, from_questions).err,
+              "standard input:2:1: sign orient2d: it asks of points; leave --metric, --weight-is and "
+              "--dimension out\n");
 
     from_questions.in = scratch.file("lines.txt", "0 0 1 1 2 2\n0 0 1 1 3 2\n");
     const Outcome alike = run({"sign", "ccw", "-", "--json", "--explain"}, from_questions);
