@@ -34,7 +34,7 @@ using Words = test::Words;
 class Tool : public testing::Test {
  protected:
     Scratch scratch;
-    std::string sites = scratch.file("sites.txt", "0 0 1\n4 0 1\n0 4 1\n1 1 0.5\n1 1 0.25\n");
+    std::string sites = scratch.file("sites.txt", "x y r\n0 0 1\n4 0 1\n0 4 1\n1 1 0.5\n1 1 0.25\n");
 
     [[nodiscard]] Words triangulate(const Words& more) const {
         Words words = {"triangulate", sites, "--metric", "power"};
@@ -150,7 +150,7 @@ TEST_F(Tool, TakesNoOptionAfterTheEndOfOptions) {
 }
 
 TEST_F(Tool, SaysWhichNumberNoFloatReaches) {
-    const std::string text = scratch.file("t.txt", "0 0 1\n1 0\n0 -1e39 1\n1e300 1\n");
+    const std::string text = scratch.file("t.txt", "0 0\n1 0\n0 -1e39\n1e300 1\n");
     const std::string json = scratch.file("s.json", "[[0,0],\n[1,0],[0,4e38]]");
     const std::string what =
         ": a number beyond single precision, 3.4e38; take another arithmetic than single, or write "
@@ -254,7 +254,8 @@ TEST_F(Tool, ComparesAndSaysWhetherExactnessIsNeeded) {
     ASSERT_EQ(run({"generate", "circle", "-n", "300", "-o", circle}).code, 0);
     const std::string picture = scratch.path("wrong.svg");
     const Outcome table =
-        run({"compare", circle, "--metric", "power", "--seconds", "0", "--quiet", "-o", picture});
+        run({"compare", circle, "--dimension", "2", "--metric", "power", "--seconds", "0", "--quiet",
+             "-o", picture});
     EXPECT_EQ(table.code, 0);
     EXPECT_EQ(table.err, "");
     EXPECT_NE(table.out.find("\nwrong "), std::string::npos) << table.out;
@@ -378,7 +379,7 @@ TEST_F(Tool, WeighsAsAskedForAndAsTheHeaderSays) {
 }
 
 TEST_F(Tool, WarnsOfNegativeRadiiThatWillBeSquared) {
-    const std::string negative = scratch.file("n.txt", "0 0 1\n9 0 -2\n0 9 -3\n");
+    const std::string negative = scratch.file("n.txt", "x y r\n0 0 1\n9 0 -2\n0 9 -3\n");
     const auto with = [&](const Words& more) {
         Words words = {"triangulate", negative, "--quiet"};
         words.insert(words.end(), more.begin(), more.end());
@@ -387,7 +388,7 @@ TEST_F(Tool, WarnsOfNegativeRadiiThatWillBeSquared) {
     EXPECT_EQ(
         with({"--metric", "power"}),
         "signum: " + negative +
-            ":2:5: the radius -2 is negative, the first of 2, and the power metric squares "
+            ":3:5: the radius -2 is negative, the first of 2, and the power metric squares "
             "radii; say --weight-is weight if weights are meant, --weight-is radius if not\n");
     EXPECT_EQ(with({"--metric", "power", "--weight-is", "radius"}), "");
     EXPECT_EQ(with({"--metric", "power", "--weight-is", "weight"}), "");
@@ -433,8 +434,7 @@ TEST_F(Tool, TakesTheColumnsThatAreNamed) {
     EXPECT_EQ(left_out.code, 0);
     EXPECT_EQ(left_out.out, expected.out);
     EXPECT_TRUE(left_out.err.starts_with("signum: " + third +
-                                         ":1: 'x' is x, 'y' is y, and 'h' is "
-                                         "left out: "))
+                                         ":1: 'h' is left out: "))
         << left_out.err;
     // One called z says that sites lie in space, unless the call says that they do not.
     const std::string heights = scratch.file("z.csv", "x,y,z\n0,0,5\n4,0,5\n0,4,5\n1,1,5\n");
@@ -445,7 +445,7 @@ TEST_F(Tool, TakesTheColumnsThatAreNamed) {
         EXPECT_EQ(flat.out, run({words[0], plain, "--quiet"}).out);
         EXPECT_TRUE(flat.err.starts_with(
             "signum: " + heights +
-            ":1: 'x' is x, 'y' is y, and 'z' is left out: sites lie in the plane here. "))
+            ":1: 'z' is left out: sites lie in the plane here. "))
             << flat.err;
     }
 }
@@ -653,7 +653,7 @@ TEST_F(Tool, WritesNothingThatFailsItsCheck) {
     const std::string json = scratch.file("a.json", "old");
     const std::size_t before = scratch.size();
     for (const char* metric : {"power", "euclidean"}) {
-        Words words = {"triangulate",  input,    "--metric", metric,
+        Words words = {"triangulate",  input,    "--dimension", "2", "--metric", metric,
                        "--arithmetic", "single", "--check"};
         const Outcome printed = run(words);
         EXPECT_EQ(printed.code, 1) << printed.err;
@@ -686,7 +686,7 @@ TEST_F(Tool, Validates) {
 
     expect({"validate", sites, sites}, 2,
            sites +
-               ":1:1: 0 cannot stand here; a tessellation is what signum triangulate writes as "
+               ":1:1: 'x' cannot stand here; a tessellation is what signum triangulate writes as "
                "JSON\n");
     expect({"validate", "-", "-"}, 2, "signum: only one of the two files can be standard input\n");
     const std::string foreign =
@@ -727,7 +727,7 @@ TEST_P(ToolInMetric, WritesEveryFormat) {
     const std::string svg = scratch.path("a.svg");
     const std::string csv = scratch.path("a.csv");
     const std::string obj = scratch.path("a.obj");
-    const Outcome outcome = run({"triangulate", input, "--metric", metric, "-o", json, "-o", svg,
+    const Outcome outcome = run({"triangulate", input, "--dimension", "2", "--metric", metric, "-o", json, "-o", svg,
                                  "-o", csv, "-o", obj, "--stats"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_TRUE(outcome.err.starts_with("sites    300\nvisible  ")) << outcome.err;

@@ -82,8 +82,8 @@ std::string outcome(const test::Scratch& scratch, const std::string& contents,
     }
 }
 
-/// Lines of numbers alone are read many at a time. A comment behind each makes them lines like any
-/// other, which says the same.
+/// Lines of numbers alone are read many at a time. A comment behind each, or a tab where a mark
+/// separates, makes them lines like any other, which say the same.
 TEST(TextSites, ReadsPlainLinesAsAnyOther) {
     const test::Scratch scratch;
     std::mt19937_64 random(42);
@@ -96,11 +96,15 @@ TEST(TextSites, ReadsPlainLinesAsAnyOther) {
     const std::vector<std::string> numbers = {"1", "-2.5", "0.1", "1e-3", "+7", "0x1p3", "3"};
     const std::vector<std::string> odd = {"", "a", "1e39", "\"4\"", "nan", "1e999", "-0", "1."};
     for (int trial = 0; trial < (is_fast ? 4000 : 400); ++trial) {
-        const int dimension = 2 + trial % 2;
-        const std::string separator = one_of({" ", " ", "\t", ",", ";", ", ", "  ", " ,", "\t\t"});
+        const std::string head = one_of(heads);
+        const bool has_tabs = head.starts_with("x\t");
+        const int dimension = has_tabs ? 3 : 2 + trial % 2;
+        const std::string separator =
+            has_tabs ? one_of({" ", "\t"})
+                     : one_of({" ", " ", "\t", ",", ";", ", ", "  ", " ,", "\t\t"});
         std::vector<std::string> lines;
         for (int line = static_cast<int>(random() % 40); line >= 0; --line) {
-            std::string text = one_of({"", "", "", "", " ", "\t"});
+            std::string text = one_of({"", "", "", "", " ", has_tabs ? "" : "\t"});
             const bool is_odd = random() % 40 == 0;
             const auto columns = static_cast<int>(is_odd ? random() % 6 : 3 + random() % 2);
             for (int column = 0; column < columns; ++column)
@@ -108,12 +112,16 @@ TEST(TextSites, ReadsPlainLinesAsAnyOther) {
                         one_of(is_odd || random() % 300 == 0 ? odd : numbers);
             lines.push_back(text + one_of({"", "", "", "", " "}));
         }
-        const std::string head = one_of(heads);
+        const std::string end =
+            separator.find_first_of(",;") == std::string::npos ? "#\n" : "\t\n";
         std::string plain = head;
         std::string commented = head;
         for (const std::string& line : lines) {
             plain += line + '\n';
-            commented += line + "#\n";
+            // Behind a mark the tab would move the empty column.
+            const std::size_t last = line.find_last_not_of(" \t");
+            const bool is_open = last != std::string::npos && (line[last] == ',' || line[last] == ';');
+            commented += line + (is_open ? "\n" : end);
         }
         ASSERT_EQ(outcome(scratch, plain, dimension), outcome(scratch, commented, dimension))
             << plain;
@@ -167,29 +175,29 @@ TEST(TextSites, PicksNamedColumns) {
     EXPECT_EQ(read("x y r\n1,2,3\n").sites, (Sites{{1, 2, 3}}));
 }
 
-TEST(TextSites, NotesLinesThatEndBeforeTheRadiusOfTheirHeader) {
-    const auto note = [](const char* text, const Columns& columns = {}) {
+TEST(TextSites, RefusesRowsThatAreShorterThanTheHeader) {
+    EXPECT_EQ(error("x,y,r\n1,2\n"), "2:4: 2 columns, but the header names 3; write as many");
+    EXPECT_EQ(error("x y weight\n1 2 3\n\n4 5\n6 7\n"),
+              "4:4: 2 columns, but the header names 3; write as many");
+    // The mark of a comment that is none here shifts all columns by one.
+    EXPECT_EQ(error("% x y r\n1 2 3\n"), "2:6: 3 columns, but the header names 4; write as many");
+}
+
+TEST(TextSites, NotesLinesThatEndBeforeTheRadiusThatWasChosen) {
+    const auto note = [](const char* text, const Columns& columns) {
         const std::string whole = read(text, columns).note;
         return whole.substr(std::min(whole.find("f:"), whole.size()));
     };
-    EXPECT_EQ(read("x,y,r\n1,2\n").sites, (Sites{{1, 2, 0}}));
-    EXPECT_EQ(note("x,y,r\n1,2\n"),
-              "f:2: the line ends before its radius, which is 0 then (1 of 1 lines)");
-    EXPECT_EQ(note("x y weight\n1 2 3\n\n4 5\n6 7\n"),
-              "f:4: the line ends before its weight, which is 0 then (2 of 3 lines)");
-    // The mark of a comment that is none here shifts all columns by one.
-    EXPECT_EQ(note("% x y r\n1 2 3\n"),
-              "f:2: the line ends before its radius, which is 0 then (1 of 1 lines)");
     EXPECT_EQ(note("1 2 3\n1 2\n", {"1", "2", "3"}),
               "f:2: the line ends before its radius, which is 0 then (1 of 2 lines)");
-    EXPECT_EQ(note("1 2\n1 2 3\n"), "") << "a site is x y [r] where no header says otherwise";
+    EXPECT_EQ(note("1 2\n1 2 3\n", {}), "") << "a site is x y [r] where no header says otherwise";
     EXPECT_EQ(note("1 2\n1 2 3\n", {"1", "2"}), "");
-    EXPECT_EQ(note("x y\n1 2\n"), "");
+    EXPECT_EQ(note("x y\n1 2\n", {}), "");
 }
 
 TEST(TextSites, TakesNoColumnForARadiusBecauseItIsThird) {
     for (const char* text : {"lon,lat,elevation\n1,2,3\n", "lon lat elevation\n1 2 3\n",
-                             "x;y;name\n1;2;a, b\n", "id,X,Y\n3,1,2\n", "x\ty\tn\n1\t2\n"}) {
+                             "x;y;name\n1;2;a, b\n", "x\ty\tn\n1\t2\t\n"}) {
         const SitesFile file = read(text);
         EXPECT_EQ(file.sites, (Sites{{1, 2, 0}})) << text;
         EXPECT_NE(file.note.find("is left out"), std::string::npos) << text;
@@ -197,44 +205,76 @@ TEST(TextSites, TakesNoColumnForARadiusBecauseItIsThird) {
     EXPECT_NE(
         read("\"where, north\",x,y\n3,1,2\n")
             .note.find(
-                "/f:1: 'x' is x, 'y' is y, and 'where, north' is left out: no radius, or it would "
+                "/f:1: 'where, north' is left out: no radius, or it would "
                 "be called r, radius or weight. --columns 2,3,1 takes it for one, --columns 2,3 "
                 "leaves it out without a word"),
         std::string::npos);
     const SitesFile named = read("Radius,lon,lat\n3,1,2\n");
     EXPECT_EQ(named.sites, (Sites{{1, 2, 3}}));
-    EXPECT_EQ(named.note, "");
+    EXPECT_NE(named.note.find("'lon' is x and 'lat' is y"), std::string::npos);
+    // What only numbers the rows is left out without a word.
+    EXPECT_EQ(read("id,X,Y\n3,1,2\n").sites, (Sites{{1, 2, 0}}));
+    EXPECT_EQ(read("id,X,Y\n3,1,2\n").note, "");
 }
 
-TEST(TextSites, SaysThatALatitudeIsX) {
-    const SitesFile swapped = read("Latitude,Longitude\n1,2\n");
-    EXPECT_EQ(swapped.sites, (Sites{{1, 2, 0}}));
-    EXPECT_NE(swapped.note.find("/f:1: 'Latitude' is x and 'Longitude' is y. --columns 2,1 takes "
-                                "them the other way"),
-              std::string::npos)
-        << swapped.note;
-    EXPECT_NE(read("northing;easting;r\n1;2;3\n").note.find("--columns 2,1,3 takes"),
-              std::string::npos);
-    EXPECT_EQ(read("lon lat\n1 2\n").note, "");
+/// Whatever their order: a latitude is y.
+TEST(TextSites, KnowsTheNamesThatProgramsGiveCoordinates) {
+    struct Header {
+        const char* names;
+        Site site;  ///< of the row 1, 2, 3
+        bool are_degrees = false;
+    };
+    const std::vector<Header> headers = {
+        {"Latitude,Longitude,n", {2, 1, 0}, true},
+        {"id,lon,lat", {2, 3, 0}, true},
+        {"id\tLatitude\tLongitude", {3, 2, 0}, true},
+        {"decimalLatitude;decimalLongitude;species", {2, 1, 0}, true},
+        {"stop_lat,stop_lon,stop_id", {2, 1, 0}, true},
+        {"LAT_DD LONG_DD radius", {2, 1, 3}, true},
+        {"GPS Longitude,GPS Latitude,fid", {1, 2, 0}, true},
+        {"northing;easting;r", {2, 1, 3}},
+        {"OBJECTID,POINT_X,POINT_Y", {2, 3, 0}},
+        {"gid,xcoord,ycoord", {2, 3, 0}},
+        {"FID;X_UTM;Y_UTM", {2, 3, 0}},
+        {"no,Easting (m),Northing (m)", {2, 3, 0}},
+        {"Rechtswert;Hochwert;Nr", {1, 2, 0}},
+        {"N,E,id", {2, 1, 0}},
+        {"x_center,y_center,r", {1, 2, 3}},
+        {"CoordX,CoordY,radius", {1, 2, 3}},
+        {"pos.x,pos.y,id", {1, 2, 0}},
+        {"centroid-x,centroid-y,area", {1, 2, 0}},
+        {"X [um],Y [um],R", {1, 2, 3}},
+        {"Position X,Position Y,Unit", {1, 2, 0}},
+        // Names that say nothing, and what only numbers the rows.
+        {"a,b,r", {1, 2, 3}},
+        {"FID,a,b", {2, 3, 0}},
+        {"Unnamed: 0,u,v", {2, 3, 0}},
+    };
+    for (const Header& header : headers) {
+        const char separator = std::string_view(header.names).find('\t') != std::string_view::npos ? '\t'
+                               : std::string_view(header.names).find(';') != std::string_view::npos ? ';'
+                               : std::string_view(header.names).find(',') != std::string_view::npos ? ','
+                                                                                                  : ' ';
+        const SitesFile file =
+            read(header.names + "\n1"s + separator + "2" + separator + "3\n");
+        EXPECT_EQ(file.sites, Sites{header.site}) << header.names;
+        EXPECT_EQ(file.are_degrees, header.are_degrees) << header.names;
+        EXPECT_NE(file.note.find(" is x and "), std::string::npos) << header.names;
+    }
     EXPECT_EQ(read("lat lon\n1 2\n", {"lon", "lat"}).note, "");
     EXPECT_EQ(read("lat lon\n1 2\n", {"lon", "lat"}).sites, (Sites{{2, 1, 0}}));
-}
-
-/// They are no third column beside a number and one of them.
-TEST(TextSites, RefusesALongitudeBehindTheFirstTwo) {
-    const std::string choose =
-        " stands behind the first two columns, which would be x and y; choose them with --columns, "
-        "as in --columns 2,3";
-    EXPECT_EQ(error("id,lon,lat\n1,0,0\n"), "1:8: 'lat'" + choose);
-    EXPECT_EQ(error("id\tLatitude\tLongitude\n1\t0\t0\n"), "1:13: 'Longitude'" + choose);
-    EXPECT_EQ(read("id,lon,lat\n1,2,3\n", {"lon", "lat"}).sites, (Sites{{2, 3, 0}}));
-    EXPECT_EQ(read("lon,lat,height\n1,2,3\n").sites, (Sites{{1, 2, 0}}));
+    EXPECT_EQ(error("POINT_X,POINT_Y,X_UTM,Y_UTM\n1,2,3,4\n"),
+              "1:1: several columns may be x and y among 'POINT_X', 'POINT_Y', 'X_UTM', 'Y_UTM'; "
+              "choose with --columns, as in --columns POINT_X,POINT_Y");
+    EXPECT_EQ(error("lon,lat,easting,northing\n1,2,3,4\n"),
+              "1:9: several columns may be x and y among 'lon', 'lat', 'easting', 'northing'; "
+              "choose with --columns, as in --columns easting,northing");
 }
 
 TEST(TextSites, SaysThatAHeightIsLeftOut) {
     const SitesFile file = read("x y z r\n1 2 9 3\n");
     EXPECT_EQ(file.sites, (Sites{{1, 2, 3}}));
-    EXPECT_NE(file.note.find("/f:1: 'z' is left out: sites lie in the plane. --columns 1,2,4 "
+    EXPECT_NE(file.note.find("/f:1: 'z' is left out: sites lie in the plane here. --columns 1,2,4 "
                              "leaves it out without a word"),
               std::string::npos)
         << file.note;
@@ -272,9 +312,78 @@ TEST(TextSites, TakesTheColumnsThatAreChosen) {
         "2:1: column 'x' is chosen by name, and the first line is no header; choose by number, "
         "from 1 to 3");
     EXPECT_EQ(error("n;x;y\n1;2,5;3\n", {"x", "y"}),
-              "2:3: '2,5' has a decimal comma; write a point in its place");
+              "2:3: '2,5' has a decimal comma; write a point in its place, or say --decimal ,");
     EXPECT_EQ(error("n;x;y\n1;2\n", {"x", "y"}),
+              "2:4: 2 columns, but the header names 3; write as many");
+    EXPECT_EQ(error("1;2\n", {"1", "3"}),
+              "1:1: there is no column 3; columns count from 1, and this line has 2");
+    EXPECT_EQ(error("1;2;3\n1;2\n", {"1", "3"}),
               "2:4: the line ends before the columns x and y; write both");
+}
+
+TEST(TextSites, ReadsWhatTheCallSaysOfALine) {
+    const test::Scratch scratch;
+    const auto with = [&](std::string_view text, const ReadOptions& options) {
+        return read_sites(scratch.file("f", text), options);
+    };
+    const auto refused = [&](std::string_view text, const ReadOptions& options) {
+        return test::refusal(text,
+                             [&](const std::string& path) { return read_sites(path, options); });
+    };
+    const ReadOptions comma = {.dimension = 2, .decimal = ','};
+    EXPECT_EQ(with("x;y;r\n1,5;-2,25e1;3\n", comma).sites, (Sites{{1.5, -22.5, 3}}));
+    EXPECT_EQ(with("1,5 2\n3\t4,5\n", comma).sites, (Sites{{1.5, 2, 0}, {3, 4.5, 0}}));
+    EXPECT_EQ(with("name;x;y\na, b;1,5;2\n", comma).sites, (Sites{{1.5, 2, 0}}));
+    EXPECT_EQ(refused("1.5;2\n", comma),
+              "1:1: '1.5' has a point, and --decimal says that a comma is it");
+    EXPECT_EQ(refused("1.234,5;2\n", comma),
+              "1:1: '1.234,5' has separators of thousands; write the digits alone");
+
+    const ReadOptions two = {.dimension = 2, .skipped_lines = 2};
+    EXPECT_EQ(with("Survey 7; \"unclosed\nMade by hand, 1 2 3\nx y\n1 2\n", two).sites,
+              (Sites{{1, 2, 0}}));
+    EXPECT_EQ(refused("a\nb\nx y\n1 two\n", two), "4:3: 'two'" + word);
+    EXPECT_EQ(refused("a\nb\n", two), "2:1: no site in this file; write one site a line: x y [r]");
+
+    const ReadOptions skipping = {.dimension = 2, .skips_missing = true};
+    const SitesFile some =
+        with("n,x,y\na,1,2\nb,,3\nc,NA,NaN\n,4,5\ne,null,1\nf,6,None\ng,7,n/a\n", skipping);
+    EXPECT_EQ(some.sites, (Sites{{1, 2, 0}, {4, 5, 0}}));
+    EXPECT_NE(some.note.find("f:3: a number is missing; 5 of 7 lines are passed over"),
+              std::string::npos)
+        << some.note;
+    EXPECT_EQ(with("n,x,y\na,1,2\n", skipping).note.find("missing"), std::string::npos);
+    EXPECT_EQ(refused("n,x,y\na,1,two\n", skipping), "2:5: 'two'" + word);
+    EXPECT_EQ(refused("x,y\n1,NA\n", {.dimension = 2}), "2:3: 'NA'" + word);
+}
+
+/// Whatever may have been meant by a # behind the start of a line: no column and no attribute is cut.
+TEST(TextSites, BeginsAColumnWithTheMarkOfAComment) {
+    EXPECT_EQ(read("# 0,x,y\nid#,x,y\n1,2,3\n# 4,5,6\n7,8,9\n").sites,
+              (Sites{{2, 3, 0}, {8, 9, 0}}));
+    EXPECT_EQ(read("Well #,Easting,Northing,Depth\n1,1000,2000,30\n").sites,
+              (Sites{{1000, 2000, 0}}));
+    EXPECT_EQ(read("x,y,color\n1,2,#ff0000\n3,4,#00ff00\n").sites, (Sites{{1, 2, 0}, {3, 4, 0}}));
+    EXPECT_EQ(error("1,2 # three\n"),
+              "1:5: where commas, semicolons or tabs separate, a comment begins at the start of its "
+              "line");
+    const test::Scratch scratch;
+    const SitesFile colors = read_sites(scratch.file("f", "x,y,color\n1,2,#ff0000\n"),
+                                        {.dimension = 2, .attributes = true});
+    EXPECT_EQ(colors.attributes.front().values.front(), "#ff0000");
+}
+
+TEST(TextSites, NamesWhatANumberIsWrittenAs) {
+    EXPECT_EQ(read("1.0D+00 -2d-1 .5D0\n").sites, (Sites{{1, -0.2, 0.5}}));
+    for (const char* number : {"1,234,567", "1'234.5", "1 234 567", "1_000", "12.345.678"}) {
+        const std::string quoted = "\""s + number + "\"";
+        EXPECT_EQ(error("x;y\n" + quoted + ";2\n"),
+                  "2:2: '"s + number + "' has separators of thousands; write the digits alone");
+    }
+    EXPECT_EQ(error("lat,lon\n52°31'12\"N\",1\n").substr(0, 4), "2:1:");
+    EXPECT_EQ(error("x y\n52°31'12N 13°24'E\n"),
+              "2:1: '52°31'12N' is in degrees, minutes and seconds, which are not read; write degrees "
+              "as a decimal fraction");
 }
 
 TEST(TextSites, SaysWhereTheFirstNegativeThirdNumberStands) {
@@ -338,7 +447,6 @@ TEST(TextSites, RefusesAnEmptyColumnBetweenTabs) {
     // Where the first line is aligned by tabs, so may be the others.
     EXPECT_EQ(read("1\t\t2\t3\n4\t5\t\t6\n").sites.size(), 2);
     EXPECT_EQ(read("\t1\t2\n\t3\t4\n").sites.size(), 2);
-    EXPECT_EQ(read("1\t2\n3\t4\t\t# remark\n").sites.size(), 2);
     EXPECT_EQ(read("\t\n\t# remark\nx\ty\n1\t2\n").sites.size(), 1);
 }
 
@@ -351,32 +459,26 @@ TEST(TextSites, RefusesCommasBesideBlanks) {
     EXPECT_EQ(error("1,5 2,5\n"), "1:5: commas" + one);
     EXPECT_EQ(error("1; 2 3\n"), "1:6: semicolons" + one);
     EXPECT_EQ(error("x y r\n1 2 3\n1,5 2\n"), "3:5: commas" + one);
-    EXPECT_EQ(read(" 1, 2 \n3 ,4\t, 5 # 6 7\n8 , 9\n").sites,
+    EXPECT_EQ(read(" 1, 2 \n3 ,4\t, 5 \n8 , 9\n").sites,
               (Sites{{1, 2, 0}, {3, 4, 5}, {8, 9, 0}}));
 }
 
 TEST(TextSites, RefusesHeadersThatLeaveADoubt) {
-    EXPECT_EQ(
-        error("n x y z\n1 2 3 4\n"),
-        "1:1: the header names x and y and several other columns, but no r; name one column r, "
-        "radius or weight, or choose with --columns, as in --columns x,y");
-    EXPECT_EQ(error("id,lon,lat,pop\n1,2,3,4\n"),
-              "1:1: a header of more than three columns, and none is called x or y; choose them "
-              "with --columns, as in --columns 1,2");
-    EXPECT_EQ(error("x z\n1 2\n"),
-              "1:1: the header does not name both x and y; name the columns x, y and r (or radius, "
-              "weight)");
+    const std::string choose = "; choose them with --columns, as in --columns 1,2";
+    EXPECT_EQ(error("id,height,name,pop\n1,2,3,4\n"),
+              "1:1: none of the columns 'id', 'height', 'name', 'pop' is called x or y" + choose);
+    EXPECT_EQ(error("x z\n1 2\n"), "1:1: the header does not name both x and y, but 'x', 'z'" + choose);
+    EXPECT_EQ(error("name,lat,pop\n1,2,3\n"),
+              "1:1: none of the columns 'name', 'lat', 'pop' is called x or y" + choose);
     EXPECT_EQ(error("x y x\n1 2 3\n"), "1:5: a second column x; name one");
     EXPECT_EQ(error("x y r weight\n1 2 3 4\n"),
               "1:7: a second column of radii or weights; name one column r, radius or weight");
     // Names of one column alone, of which none stands for the other.
-    EXPECT_EQ(error("lat\n1\n"), "2:2: one column; a site has at least two: x y [r]");
-    EXPECT_EQ(error("r\n1\n"), "2:2: one column; a site has at least two: x y [r]");
-    EXPECT_EQ(error("n,x,y,r\n1,2\n"), "2:4: the line ends before the columns x and y; write both");
-    EXPECT_EQ(
-        error("n,x,y,r\n1,2,3,4,5\n"),
-        "2:9: 5 columns, but the header names 4; write as many, or choose with --columns, as in "
-        "--columns 1,2");
+    EXPECT_EQ(error("lat\n1\n"), "1:1: none of the columns 'lat' is called x or y" + choose);
+    EXPECT_EQ(error("r\n1\n"), "1:1: none of the columns 'r' is called x or y" + choose);
+    EXPECT_EQ(error("n,x,y,r\n1,2\n"), "2:4: 2 columns, but the header names 4; write as many");
+    EXPECT_EQ(error("n,x,y,r\n1,2,3,4,5\n"),
+              "2:9: 5 columns, but the header names 4; write as many");
     EXPECT_EQ(error("x,y,\"name\n1,2,3\n"),
               "1:5: a quotation mark that nothing on this line closes; close it");
     EXPECT_EQ(error("x y r\nx y r\n1 2 3\n"), "2:1: 'x'" + word);

@@ -91,11 +91,22 @@ Metric metric_of(const std::string& name);
 /// Adds the option --threads; 0 stands for every core.
 CLI::Option* add_threads(CLI::App& command, int& threads);
 
-/// Adds the option --columns; empty when it is not given.
-CLI::Option* add_columns(CLI::App& command, std::string& columns);
-/// Reads the file with the columns that --columns names, and says so where a column was left out
-/// that may have been meant. Throws InputError, CallError and MachineError.
-SitesFile read_sites_by_columns(const std::string& path, const std::string& columns,
+/// What a call says about lines of text.
+struct TextCall {
+    std::string columns;         ///< empty: what a header says, else the first ones
+    std::string decimal = ".";   ///< or a comma
+    std::int64_t skipped_lines = 0;
+    bool skips_missing = false;
+    /// Whether any of it was typed.
+    [[nodiscard]] bool is_given() const {
+        return !columns.empty() || decimal != "." || skipped_lines > 0 || skips_missing;
+    }
+};
+/// Adds --columns, which is given back, --decimal, --skip-lines and --skip-missing.
+CLI::Option* add_text(CLI::App& command, TextCall& call);
+/// Reads the file as the call says, and says so where a column was left out that may have been
+/// meant. Throws InputError, CallError and MachineError.
+SitesFile read_sites_of_call(const std::string& path, const TextCall& text,
                                 std::optional<int> dimension = 2,
                                 SitesInput input = SitesInput::text, bool attributes = false);
 

@@ -107,15 +107,25 @@ CLI::Option* add_threads(CLI::App& command, int& threads) {
         ->capture_default_str();
 }
 
-CLI::Option* add_columns(CLI::App& command, std::string& columns) {
-    return command
-        .add_option("--columns", columns,
-                    "Which columns of FILE are x, y and, where there\n"
-                    "are three, r: by the header's names or by number,\n"
-                    "as in lon,lat or 2,3,5. Default: those that a\n"
-                    "header calls x, y, r (or radius, weight), else\n"
-                    "the first three without a header, two under one")
-        ->type_name("X,Y[,R]");
+CLI::Option* add_text(CLI::App& command, TextCall& call) {
+    CLI::Option* const columns =
+        command
+            .add_option("--columns", call.columns,
+                        "Which columns of FILE are x, y and, where there\n"
+                        "are three, r: by the header's names or by number,\n"
+                        "as in lon,lat or 2,3,5. Default: those that a\n"
+                        "header calls x, y, r (or radius, weight), or as\n"
+                        "programs do (POINT_X, easting, longitude), else\n"
+                        "the first three without a header, two under one")
+            ->type_name("X,Y[,R]");
+    add_checked(command, "--decimal", call.decimal, ".|,", one_of({".", ","}),
+                "What stands before a fraction; where it is a comma,\n"
+                "semicolons, tabs or blanks separate columns");
+    add_checked(command, "--skip-lines", call.skipped_lines, "N", whole_number(),
+                "How many lines before the header, or the first\nsite, are passed over");
+    command.add_flag("--skip-missing", call.skips_missing,
+                     "Passes over lines where a number is empty, NA, NaN,\nnull or none");
+    return columns;
 }
 
 namespace {
@@ -137,8 +147,9 @@ SitesFile read_in_plane(const std::string& path, const ReadOptions& options) {
 
 }  // namespace
 
-SitesFile read_sites_by_columns(const std::string& path, const std::string& columns,
+SitesFile read_sites_of_call(const std::string& path, const TextCall& text,
                                 std::optional<int> dimension, SitesInput input, bool attributes) {
+    const std::string& columns = text.columns;
     Columns chosen;
     for (std::size_t start = 0; !columns.empty() && start <= columns.size();) {
         const std::size_t end = std::min(columns.find(',', start), columns.size());
@@ -170,8 +181,13 @@ SitesFile read_sites_by_columns(const std::string& path, const std::string& colu
             "--dimension 2: the sites of {} lie in space; leave it out, or add --read-as text",
             path));
     }
-    const ReadOptions options = {
-        .columns = chosen, .dimension = dimension, .input = input, .attributes = attributes};
+    const ReadOptions options = {.columns = chosen,
+                                 .dimension = dimension,
+                                 .input = input,
+                                 .attributes = attributes,
+                                 .decimal = text.decimal.front(),
+                                 .skipped_lines = text.skipped_lines,
+                                 .skips_missing = text.skips_missing};
     SitesFile file = dimension == 2 ? read_in_plane(path, options) : read_sites(path, options);
     if (!file.note.empty()) say("signum: {}\n", file.note);
     return file;

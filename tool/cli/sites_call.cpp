@@ -19,7 +19,7 @@ void add_sites(CLI::App& command, SitesCall& call) {
     command.add_option("FILE", call.input, "Sites, one a line: x y [r]; - for standard input")
         ->required()
         ->type_name("");
-    add_columns(command, call.columns);
+    add_text(command, call.text);
     add_metric(command, call.metric);
     add_weight_is(command, call.weight_is, "what a header of the file says, else\nradius");
     add_checked(command, "--seed", call.seed, "N", whole_number(),
@@ -120,7 +120,7 @@ SitesInput input_of(const std::string& path, const std::string& read_as) {
 InputSites read_input(const SitesCall& call) {
     const Metric metric = metric_of(call.metric);
     check_weight_is(call.weight_is, metric);
-    InputSites sites = {read_sites_by_columns(call.input, call.columns, call.dimension,
+    InputSites sites = {read_sites_of_call(call.input, call.text, call.dimension,
                                               input_of_call(call), call.attributes),
                         WeightIs::radius};
     check_space(call, sites.file);

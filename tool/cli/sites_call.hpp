@@ -18,12 +18,14 @@
 #include "../../triangulation/triangulate.hpp"
 #include "../io/read_sites.hpp"
 
+#include "commands.hpp"
+
 namespace signum::cli {
 
 /// The part of a call that says what to tessellate.
 struct SitesCall {
     std::string input;
-    std::string columns;
+    TextCall text;
     /// Of the sites; nothing: what the file says.
     std::optional<int> dimension = 2;
     std::string read_as;  ///< of the names of --read-as; empty: by the ending
@@ -39,7 +41,7 @@ struct SitesCall {
     std::vector<Metric> metrics_in_space = {Metric::power};
 };
 
-/// Adds FILE, --columns, --metric, --weight-is, --seed, --threads and --quiet.
+/// Adds FILE, what lines of text may be like, --metric, --weight-is, --seed, --threads and --quiet.
 void add_sites(CLI::App& command, SitesCall& call);
 
 /// Adds --dimension and --read-as, for a subcommand that takes sites of space, too, in those

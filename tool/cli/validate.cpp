@@ -27,7 +27,7 @@ namespace {
 struct ValidateCall {
     std::string tessellation;
     std::string sites;
-    std::string columns;
+    TextCall text;
     std::string read_as;
     std::string weight_is;  ///< of finite faces, which do not tell
     int threads = 0;
@@ -47,7 +47,7 @@ Validation judged_in_space(const ValidateCall& call, const ReadTessellation& rea
             call.tessellation, name_of(read.arrays.metric)));
     }
     const InputSites sites = {
-        read_sites_by_columns(call.sites, call.columns, 3, input_of(call.sites, call.read_as)),
+        read_sites_of_call(call.sites, call.text, 3, input_of(call.sites, call.read_as)),
         read.arrays.weight_is};
     return with_sites_in_space(sites, [&](auto those) {
         return validate_with_progress(*read.in_space, those, call.quiet, call.threads);
@@ -62,7 +62,7 @@ Validation judged_in_plane(const ValidateCall& call, const TessellationArrays& a
                         "of the plane",
                         call.read_as, call.tessellation));
     }
-    const SitesFile file = read_sites_by_columns(call.sites, call.columns, 2,
+    const SitesFile file = read_sites_of_call(call.sites, call.text, 2,
                                                  is_of_space(input) ? SitesInput::text : input);
     return validate_with_progress(arrays, strided_view(file.sites, arrays.weight_is), call.quiet,
                                   call.threads);
@@ -132,7 +132,7 @@ void run_finite(const ValidateCall& call) {
         return faces;
     };
     const bool in_space = !read.cells.empty();
-    const SitesFile sites = read_sites_by_columns(call.sites, call.columns, in_space ? 3 : 2,
+    const SitesFile sites = read_sites_of_call(call.sites, call.text, in_space ? 3 : 2,
                                                   input_of(call.sites, call.read_as));
     const InputSites given = {
         sites, call.weight_is == name_of(WeightIs::weight) ? WeightIs::weight : WeightIs::radius};
@@ -234,7 +234,7 @@ void add_validate(CLI::App& tool) {
             "whether the last number\nis a weight")
         ->required()
         ->type_name("");
-    describe_columns_in_space(*add_columns(*command, call->columns));
+    describe_columns_in_space(*add_text(*command, call->text));
     add_read_as(*command, call->read_as);
     command->add_flag("--finite", call->finite,
                       "Triangles or tetrahedra alone, in any order and\norientation: are they a "

@@ -157,8 +157,10 @@ void triangulate_within(const MemoryCall& memory, const SitesCall& call,
             fmt::format("--memory reads slices of lines x y [r], of space x y z [r], .npy and "
                         ".f64, and {} is none of these",
                         call.input));
-    if (!call.columns.empty())
-        throw CallError("--memory reads the first columns, x, y (z) and r; leave --columns out");
+    if (call.text.is_given())
+        throw CallError(
+            "--memory reads the first columns, x, y (z) and r, of lines of numbers; leave --columns, "
+            "--decimal, --skip-lines and --skip-missing out");
     const int dimension = call.dimension.value_or(2);
     const Metric metric = metric_of(call.metric);
     if (dimension == 3 && !traits_of(metric).edges_are_straight)

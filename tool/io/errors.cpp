@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "errors.hpp"
@@ -43,6 +45,24 @@ std::string without_middle(std::string message) {
     return message.replace(first, second - first, "...");
 }
 
+/// How many bytes the character has that begins a text, in UTF-8 as RFC 3629 has it; 0 where that is
+/// none that can be shown.
+std::size_t bytes_of_character(std::string_view text) {
+    if (bytes_of_control(text, 0) > 0) return 0;
+    const auto byte = [&](std::size_t k) {
+        return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U;
+    };
+    const unsigned first = byte(0);
+    if (first < 0x80) return 1;
+    const std::size_t bytes = first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
+    for (std::size_t k = 1; k < bytes; ++k)
+        if ((byte(k) & 0xC0U) != 0x80U) return 0;
+    // Longer than need be, surrogates, and what lies behind the last character.
+    const bool is_wrong = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) > 0x9F) ||
+                          (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) > 0x8F);
+    return is_wrong ? 0 : bytes;
+}
+
 }  // namespace
 
 ShownError::ShownError(std::string_view message)
@@ -63,14 +83,15 @@ bool has_control_character(std::string_view text) {
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 40;
     std::string result = "'";
-    for (const char c : text.substr(0, longest)) {
-        if (c >= ' ' && c <= '~') {
-            result += c;
-        } else {
-            result += escaped(c);
-        }
+    std::size_t i = 0;
+    while (i < text.size()) {
+        const std::size_t bytes = bytes_of_character(text.substr(i));
+        const std::size_t next = i + std::max<std::size_t>(bytes, 1);
+        if (next > longest) break;
+        result += bytes > 0 ? std::string(text.substr(i, bytes)) : escaped(text[i]);
+        i = next;
     }
-    result += text.size() > longest ? "...'" : "'";
+    result += i < text.size() ? "...'" : "'";
     return result;
 }
 

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <span>
 
 #include "../../core/contract.hpp"
 #include "errors.hpp"
@@ -35,6 +37,15 @@ bool is_large(std::string_view digits, bool hexadecimal) noexcept {
     return place + exponent > 0;
 }
 
+/// The same digits with e where Fortran writes D before the exponent; false where there is none.
+bool put_e_for_d(std::string_view digits, std::span<char> copy) noexcept {
+    const std::size_t mark = digits.find_first_of("dD");
+    if (mark == std::string_view::npos || mark == 0 || digits.size() > copy.size()) return false;
+    std::ranges::copy(digits, copy.begin());
+    copy[mark] = 'e';
+    return true;
+}
+
 }  // namespace
 
 Number parse_number(std::string_view text) noexcept {
@@ -48,6 +59,8 @@ Number parse_number(std::string_view text) noexcept {
     if (hexadecimal && !is_hexadecimal_digit(digits.front()) && digits.front() != '.') return word;
     // libstdc++ 12 reads the exponent of a hexadecimal number as an integer with a sign of its own.
     if (digits.find("+-") != std::string_view::npos) return word;
+    std::array<char, 64> copy;
+    if (!hexadecimal && put_e_for_d(digits, copy)) digits = {copy.data(), digits.size()};
 
     double value = 0.0;
     const char* end = digits.data() + digits.size();
@@ -81,9 +94,28 @@ bool is_number_but_for_a_comma(std::string_view text) {
     return parse_number(pointed).fault == NumberFault::none;
 }
 
+/// Whether three digits each stand between separators of one kind, as in 1,234,567.8.
+bool has_thousands(std::string_view text) {
+    const std::size_t first = text.find_first_of(",.' _");
+    if (first == std::string_view::npos || first == 0 || first > 4) return false;
+    const char separator = text[first];
+    std::size_t groups = 0;
+    std::size_t at = first;
+    while (at < text.size() && text[at] == separator) {
+        if (at + 4 > text.size() || !std::ranges::all_of(text.substr(at + 1, 3), is_digit))
+            return false;
+        ++groups;
+        at += 4;
+    }
+    // One group behind a point or a comma is a fraction.
+    const bool has_fraction = at < text.size() && (text[at] == '.' || text[at] == ',');
+    return groups > 0 && (at == text.size() || has_fraction) &&
+           (groups > 1 || has_fraction || separator == '\'' || separator == '_');
+}
+
 }  // namespace
 
-std::string explain(NumberFault fault, std::string_view text) {
+std::string explain(NumberFault fault, std::string_view text, char decimal) {
     SIGNUM_EXPECTS(fault != NumberFault::none);
     switch (fault) {
         case NumberFault::not_finite:
@@ -92,8 +124,17 @@ std::string explain(NumberFault fault, std::string_view text) {
             return in_quotes(text) +
                    " is beyond the range of a double; the largest is about 1.797e308";
         default:
-            if (is_number_but_for_a_comma(text))
-                return in_quotes(text) + " has a decimal comma; write a point in its place";
+            if (has_thousands(text))
+                return in_quotes(text) + " has separators of thousands; write the digits alone";
+            if (decimal != ',' && is_number_but_for_a_comma(text))
+                return in_quotes(text) + " has a decimal comma; write a point in its place" +
+                       (decimal == '.' ? ", or say --decimal ," : "");
+            if (decimal == ',' && text.find('.') != std::string_view::npos)
+                return in_quotes(text) + " has a point, and --decimal says that a comma is it";
+            if (text.find("\xC2\xB0") != std::string_view::npos)
+                return in_quotes(text) +
+                       " is in degrees, minutes and seconds, which are not read; write degrees as "
+                       "a decimal fraction";
             return in_quotes(text) +
                    " is not a number; write a decimal or hexadecimal float, such as 1.5, -2e-3 or "
                    "0x1.8p-3";

@@ -2,7 +2,8 @@
 /// Numbers as people write them, read to the nearest double (halves to even).
 ///
 /// Laws:
-///  1. [+-] decimal (1, 1.5, .5, 1e-3) or hexadecimal (0x1.8p-3) and nothing else, in any locale.
+///  1. [+-] decimal (1, 1.5, .5, 1e-3, 1D-3) or hexadecimal (0x1.8p-3) and nothing else, in any
+///     locale.
 ///  2. A number too small for a double is read to the nearest one: a denormal or zero.
 ///  3. A number too large, infinity and NaN are faults.
 
@@ -32,8 +33,9 @@ struct Number {
 /// Digits and nothing else, with a value that fits into 64 bits.
 [[nodiscard]] std::optional<std::uint64_t> parse_whole_number(std::string_view text) noexcept;
 
-/// What is wrong with the text, and what would be right. Precondition: fault != none.
-[[nodiscard]] std::string explain(NumberFault fault, std::string_view text);
+/// What is wrong with the text, and what would be right, where numbers have that decimal point, or
+/// none that somebody may choose. Precondition: fault != none.
+[[nodiscard]] std::string explain(NumberFault fault, std::string_view text, char decimal = '\0');
 
 /// Whether a finite number is larger than the largest float, or smaller than the smallest.
 constexpr bool is_beyond_single(double value) noexcept {

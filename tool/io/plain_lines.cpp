@@ -62,6 +62,7 @@ class PlainReader {
             begin = line.find_first_not_of(' ', end + 1);
             if (begin == std::string_view::npos && separator == ' ') break;
         }
+        if (columns < layout_.least) return false;
         for (std::size_t which = 0; which < layout_.coordinates; ++which)
             if (layout_.places[which] >= columns) return false;
         if (layout_.places[layout_.coordinates] < columns)

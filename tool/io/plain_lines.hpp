@@ -18,6 +18,7 @@ struct PlainLayout {
     /// The columns of a site's numbers; the last one, a radius, may be missing.
     std::array<std::size_t, 4> places;
     std::size_t coordinates;    ///< how many of the places these are
+    std::size_t least;          ///< columns in a line
     std::size_t most;           ///< columns in a line
     char separator;             ///< the only one; 0: blanks, or one tab, comma or semicolon
     bool has_radius;            ///< whether each line has to have one

@@ -74,6 +74,13 @@ struct ReadOptions {
     SitesInput input = SitesInput::text;
     /// Whether the attributes of text and nodes are read, too.
     bool attributes = false;
+    /// Of text: the point of numbers, or the comma, which then separates no columns.
+    char decimal = '.';
+    /// Of text: how many lines before the header or the first site are passed over.
+    std::int64_t skipped_lines = 0;
+    /// Of text: whether lines are passed over where a number is empty, NA, NaN, null or none; the
+    /// note says how many.
+    bool skips_missing = false;
     /// Of the rows of an array one share of so many, the shares in order; all else is read whole.
     /// The file has to have a size.
     struct Share {
@@ -93,6 +100,8 @@ struct SitesFile {
     /// Whether a site of text has a third number, and nobody has said what that is, or that sites
     /// lie in the plane.
     bool third_may_be_z = false;
+    /// Whether a header calls them longitude and latitude: x and y are degrees.
+    bool are_degrees = false;
     /// Where the first radius or weight below 0 stands.
     std::optional<Position> first_negative;
     /// Where the first number stands that no float reaches.

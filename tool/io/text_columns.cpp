@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdint>
 #include <optional>
@@ -12,11 +13,27 @@
 namespace signum {
 namespace {
 
+constexpr std::string_view no_comment_here =
+    "where commas, semicolons or tabs separate, a comment begins at the start of its line";
+constexpr std::string_view unclosed =
+    "a quotation mark that nothing on this line closes; close it";
+
 bool is_blank(char c) noexcept {
     return c == ' ' || c == '\t';
 }
-bool is_mark(char c) noexcept {
-    return c == ',' || c == ';';
+
+/// Whether words between blanks are numbers, at least one.
+bool are_numbers(std::string_view text) {
+    bool is_one = false;
+    for (std::size_t begin = 0; begin < text.size();) {
+        begin = text.find_first_not_of(" \t", begin);
+        if (begin == std::string_view::npos) break;
+        const std::size_t end = std::min(text.find_first_of(" \t", begin), text.size());
+        if (parse_number(text.substr(begin, end - begin)).fault != NumberFault::none) return false;
+        is_one = true;
+        begin = end;
+    }
+    return is_one;
 }
 
 }  // namespace
@@ -35,7 +52,6 @@ bool TextColumns::next_line() {
     return false;
 }
 
-/// Whether nothing stands before the end of the line or a comment.
 bool TextColumns::is_blank_line() const {
     return std::ranges::all_of(line_.substr(0, line_.find('#')), is_blank);
 }
@@ -44,8 +60,7 @@ bool TextColumns::is_blank_line() const {
 /// another line align nothing: between them something is missing, and what follows is not it.
 bool TextColumns::has_empty_column_of_tabs() const {
     if (first_separator_ != '\t') return false;
-    std::string_view text = line_.substr(0, line_.find('#'));
-    text = text.substr(0, text.find_last_not_of(" \t") + 1);
+    const std::string_view text = line_.substr(0, line_.find_last_not_of(" \t") + 1);
     return text.find("\t\t") != std::string_view::npos || (text.starts_with('\t') && !is_indented_);
 }
 
@@ -68,10 +83,11 @@ void TextColumns::split_at_any() {
     const auto skip_blanks = [&] {
         while (place != end && is_blank(*place)) ++place;
     };
-    const auto is_over = [&] { return place == end || *place == '#'; };
     char mark = '\0';
+    const auto is_over = [&] { return place == end || (*place == '#' && mark == '\0'); };
     bool at_blanks = false;
     const auto refuse_both = [&](std::string_view one, std::string_view other) {
+        if (*place == '#') fail(place, no_comment_here);
         fail(place, fmt::format("{} and {} in one line; separate by one of them, and write "
                                 "fractions with a point",
                                 one, other));
@@ -81,7 +97,12 @@ void TextColumns::split_at_any() {
     if (is_over()) return;
     for (;;) {
         const char* start = place;
-        while (!is_over() && !is_blank(*place) && !is_mark(*place)) ++place;
+        bool quoted = false;
+        while (quoted ? place != end : !is_over() && !is_blank(*place) && !is_mark(*place)) {
+            if (*place == '"') quoted = !quoted;
+            ++place;
+        }
+        if (quoted) fail(start, unclosed);
         columns_.emplace_back(start, static_cast<std::size_t>(place - start));
         skip_blanks();
         if (is_over()) return;
@@ -107,38 +128,40 @@ void TextColumns::split_at_one(char separator) {
     columns_.clear();
     const char* place = line_.data();
     const char* const end = place + line_.size();
-    const auto is_over = [&] { return place == end || *place == '#'; };
     const auto skip_blanks = [&] {
         while (place != end && is_blank(*place) && *place != separator) ++place;
     };
     skip_blanks();
-    if (is_over()) return;
+    if (place == end) return;
     for (;;) {
         const char* start = place;
         bool quoted = false;
-        while (place != end && (quoted || (*place != separator && *place != '#'))) {
+        while (place != end && (quoted || *place != separator)) {
             if (*place == '"') quoted = !quoted;
             ++place;
         }
-        if (quoted) fail(start, "a quotation mark that nothing on this line closes; close it");
+        if (quoted) fail(start, unclosed);
         const char* last = place;
         while (last != start && is_blank(last[-1])) --last;
         columns_.emplace_back(start, static_cast<std::size_t>(last - start));
-        if (is_over()) return;
+        if (place == end) return;
         ++place;
         skip_blanks();
     }
 }
 
 /// The first comma or semicolon of the line, else the tab, else none in particular; what stands
-/// between quotes does not count. Columns that are aligned by several tabs have none.
+/// between quotes does not count, nor what follows # behind numbers alone. Columns that are aligned
+/// by several tabs have none.
 char TextColumns::separator_of_line() const {
     bool quoted = false;
     bool has_tab = false;
-    for (const char c : line_) {
+    for (const char& c : line_) {
         if (c == '"') quoted = !quoted;
         if (quoted) continue;
-        if (c == '#') break;
+        if (c == '#' &&
+            are_numbers(line_.substr(0, static_cast<std::size_t>(&c - line_.data()))))
+            break;
         if (is_mark(c)) return c;
         has_tab = has_tab || c == '\t';
     }
@@ -178,10 +201,34 @@ std::string TextColumns::name(std::size_t column) const {
 
 double TextColumns::number(std::size_t column) const {
     const std::string_view digits = text(column);
-    const Number number = parse_number(digits);
-    if (number.fault == NumberFault::none) return number.value;
     if (digits.empty()) fail_at_empty(column);
-    fail(digits.data(), explain(number.fault, digits));
+    Number number;
+    if (decimal_ == ',') {
+        std::string pointed(digits);
+        std::ranges::replace(pointed, ',', '.');
+        const bool has_point = digits.find('.') != std::string_view::npos;
+        number = has_point ? Number{0.0, NumberFault::word} : parse_number(pointed);
+    } else {
+        number = parse_number(digits);
+    }
+    if (number.fault == NumberFault::none) return number.value;
+    if (digits.find('#') != std::string_view::npos && number.fault == NumberFault::word)
+        fail(digits.data() + digits.find('#'), no_comment_here);
+    fail(digits.data(), explain(number.fault, digits, decimal_));
+}
+
+bool TextColumns::is_missing(std::size_t column) const {
+    constexpr std::array<std::string_view, 8> words = {"", "na", "n/a", "nan",
+                                                       "null", "none", "<na>", "nodata"};
+    return std::ranges::count(words, name(column)) > 0;
+}
+
+std::string TextColumns::names() const {
+    constexpr std::size_t most_shown = 12;
+    std::string shown;
+    for (std::size_t i = 0; i < std::min(columns_.size(), most_shown); ++i)
+        shown += (i > 0 ? ", " : "") + in_quotes(text(i));
+    return shown + (columns_.size() > most_shown ? ", ..." : "");
 }
 
 std::size_t TextColumns::column_called(std::string_view name, std::size_t start) const {
@@ -215,20 +262,17 @@ std::size_t TextColumns::chosen_column(std::string_view chosen, bool has_header)
 }
 
 std::string TextColumns::no_such_column(std::string_view chosen) const {
-    constexpr std::size_t most_shown = 12;
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < columns_.size(); ++i) names.emplace_back(text(i));
-    const std::optional<std::string> meant = nearest_word(chosen, names);
-    std::string shown;
-    for (std::size_t i = 0; i < std::min(names.size(), most_shown); ++i)
-        shown += (i > 0 ? ", " : "") + in_quotes(names[i]);
-    return fmt::format("no column is called {}{} there are {}{}", in_quotes(chosen),
-                       meant ? "; did you mean " + in_quotes(*meant) + "?" : ";", shown,
-                       names.size() > most_shown ? ", ..." : "");
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < columns_.size(); ++i) all.emplace_back(text(i));
+    const std::optional<std::string> meant = nearest_word(chosen, all);
+    return fmt::format("no column is called {}{} there are {}", in_quotes(chosen),
+                       meant ? "; did you mean " + in_quotes(*meant) + "?" : ";", names());
 }
 
 bool TextColumns::has_comma() const {
-    return line_.substr(0, line_.find('#')).find(',') != std::string_view::npos;
+    const char* const first = columns_.front().data();
+    const char* const last = columns_.back().data();
+    return std::find(first, last, ',') != last;
 }
 
 std::string TextColumns::place_of_line() const {

@@ -2,7 +2,8 @@
 /// The lines of a text file, split into columns before anybody says what these mean.
 ///
 /// Laws:
-///  1. Empty lines, and what stands between # and the end of its line, do not count.
+///  1. Empty lines, and those that begin with #, do not count. Where blanks separate, neither does
+///     what stands between # and the end of its line; elsewhere # is a letter like others.
 ///  2. Each line has columns that end at blanks and tabs, or at one comma or semicolon with or
 ///     without blanks around it, but not at both. Several tabs are as one only where the first line
 ///     has several: elsewhere a column between them is empty.
@@ -30,7 +31,10 @@ inline constexpr std::size_t no_column = std::numeric_limits<std::size_t>::max()
 class TextColumns {
  public:
     /// `advice` is what to do about a file that holds no such lines: "write one site a line: ...".
-    TextColumns(InputFile& file, std::string advice) : file_(file), advice_(std::move(advice)) {}
+    /// `decimal` is the point of numbers, or the comma, which then separates nothing; 0 is a point
+    /// that nobody may choose.
+    TextColumns(InputFile& file, std::string advice, char decimal = '\0')
+        : file_(file), advice_(std::move(advice)), decimal_(decimal) {}
 
     /// Another advice, once the first line has told what the others hold.
     void advise(std::string advice) { advice_ = std::move(advice); }
@@ -61,6 +65,10 @@ class TextColumns {
     [[nodiscard]] std::string name(std::size_t column) const;
     /// The nearest double. Fails where the column is empty or holds no finite number.
     [[nodiscard]] double number(std::size_t column) const;
+    /// Whether the column is empty, or says that nothing is known: NA, NaN, null, none, in any case.
+    [[nodiscard]] bool is_missing(std::size_t column) const;
+    /// The columns of a header, for a message: 'id', 'lat', 'lon'.
+    [[nodiscard]] std::string names() const;
 
     /// The first column from `start` on that a header calls `name`, which is in small letters, or
     /// no_column.
@@ -88,6 +96,9 @@ class TextColumns {
  private:
     static constexpr char any_separator = '\0';
 
+    [[nodiscard]] bool is_mark(char c) const noexcept {
+        return c == ';' || (c == ',' && decimal_ != ',');
+    }
     [[nodiscard]] bool is_blank_line() const;
     [[nodiscard]] bool has_empty_column_of_tabs() const;
     void split_at(char separator);
@@ -100,6 +111,7 @@ class TextColumns {
 
     InputFile& file_;
     std::string advice_;
+    char decimal_;
     std::string_view line_;
     std::vector<std::string_view> columns_;  ///< of line_, without blanks around them
     bool is_indented_ = false;               ///< the first line begins with a tab

@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "coordinate_names.hpp"
 #include "number.hpp"
 #include "plain_lines.hpp"
 #include "sites_readers.hpp"
@@ -56,13 +57,6 @@ bool may_mean_z(std::string_view name) {
     return false;
 }
 
-bool is_x_of_geographers(std::string_view name) {
-    return name == "lon" || name == "lng" || name == "longitude" || name == "easting";
-}
-bool is_y_of_geographers(std::string_view name) {
-    return name == "lat" || name == "latitude" || name == "northing";
-}
-
 /// What the name of a column of radii or weights, in small letters, says about its numbers.
 std::optional<WeightIs> meaning_of_column(std::string_view name) {
     if (name == "radius") return WeightIs::radius;
@@ -99,16 +93,25 @@ class TextSites {
         const std::size_t sites = result_.sites.size() + result_.in_space.size();
         if (sites == 0) lines_.fail_at_end_of_file("a header and no site");
         if (without_radius_ > 0)
-            result_.note += fmt::format(
-                "{}{}: the line ends before its {}, which is 0 then ({} of {} lines)",
-                result_.note.empty() ? "" : "; ", first_without_radius_,
-                result_.third == WeightIs::weight ? "weight" : "radius", without_radius_, sites);
+            add_to_note(fmt::format(
+                "{}: the line ends before its radius, which is 0 then ({} of {} lines)",
+                first_without_radius_, without_radius_, sites));
+        if (missing_ > 0)
+            add_to_note(fmt::format("{}: a number is missing; {} of {} lines are passed over",
+                                    first_missing_, missing_, missing_ + sites));
+        if (result_.third_may_be_z)
+            add_to_note(fmt::format("{}: three numbers a line are x, y and r; --dimension 3 takes "
+                                    "them for x, y and z, --columns 1,2 leaves the third out",
+                                    lines_.file().path()));
         result_.attributes = std::move(attributes_).attributes();
         return std::move(result_);
     }
 
  private:
     [[nodiscard]] bool in_space() const noexcept { return radius_ == 3; }
+    void add_to_note(std::string_view sentence) {
+        result_.note += fmt::format("{}{}", result_.note.empty() ? "" : "; ", sentence);
+    }
 
     /// From the first line, split at its own separator, and from what the caller chose.
     void read_layout(bool has_header) {
@@ -121,8 +124,13 @@ class TextSites {
         } else {
             read_header_in_plane();
         }
-        if (has_header && places_[radius_] != no_column)
-            result_.third = meaning_of_column(lines_.name(places_[radius_]));
+        if (has_header) {
+            columns_of_header_ = lines_.size();
+            if (places_[radius_] != no_column)
+                result_.third = meaning_of_column(lines_.name(places_[radius_]));
+            result_.are_degrees = !in_space() && is_of(NameFamily::geographic, 0) &&
+                                  is_of(NameFamily::geographic, 1);
+        }
         if (!options_.attributes || !has_header) return;
         attributes_ = AttributeColumns(lines_, std::span(places_).first(radius_ + 1));
         lines_.keep_separator();
@@ -141,7 +149,7 @@ class TextSites {
             places_[which] = column;
         }
         is_told_ = true;
-        most_ = no_column;
+        most_ = has_header ? lines_.size() : no_column;
         lines_.keep_separator();
     }
 
@@ -149,7 +157,7 @@ class TextSites {
     std::vector<std::string> take_named(std::span<const ColumnNames> quantities) {
         NamedColumns named = named_columns(lines_, quantities);
         std::ranges::copy(named.places, places_.begin());
-        is_told_ = is_named_ = true;
+        is_told_ = true;
         most_ = lines_.size();
         return std::move(named.others);
     }
@@ -157,10 +165,9 @@ class TextSites {
     void read_header_in_space() {
         const std::vector<std::string> others = take_named(quantities_in_space);
         if (std::ranges::count(std::span(places_).first(radius_), no_column) > 0) {
-            lines_.fail_at(
-                0,
-                "the header does not name x, y and z; name the columns x, y, z and r (or "
-                "radius, weight), or choose with --columns, as in --columns 1,2,3");
+            lines_.fail_at(0, fmt::format("the header does not name x, y and z, but {}; choose them "
+                                          "with --columns, as in --columns 1,2,3",
+                                          lines_.names()));
         }
         if (others.empty()) return;
         lines_.keep_separator();
@@ -177,100 +184,123 @@ class TextSites {
             option_for({x, y, z}));
     }
 
-    /// Where neither x nor y is among the names, the first two columns that are not r stand for
-    /// them.
+    /// Whether the column of x (0) or y (1) has a name of that family.
+    [[nodiscard]] bool is_of(NameFamily family, int axis) const {
+        const std::size_t column = places_[static_cast<std::size_t>(axis)];
+        return column < lines_.size() &&
+               coordinate_named(lines_.text(column)) == CoordinateName{family, axis};
+    }
+
     void read_header_in_plane() {
-        take_named(quantities_in_plane);
+        const std::vector<std::string> others = take_named(quantities_in_plane);
         auto& [x, y, third, none] = places_;
-        if (x == no_column && y == no_column) take_first_two();
+        const bool are_called_so = x != no_column && y != no_column;
+        if (x == no_column && y == no_column && !take_known_names()) take_first_two();
         if (x == no_column || y == no_column) {
-            lines_.fail_at(0,
-                           "the header does not name both x and y; name the columns x, y and r "
-                           "(or radius, weight)");
+            lines_.fail_at(0, fmt::format("the header does not name both x and y, but {}; choose "
+                                          "them with --columns, as in --columns 1,2",
+                                          lines_.names()));
         }
-        if (third == no_column && most_ > 3) {
-            lines_.fail_at(
-                0, fmt::format(
-                       "the header names x and y and several other columns, but no r; name "
-                       "one column r, radius or weight, or choose with --columns, as in "
-                       "--columns x,y{}",
-                       may_lie_in_space_ ? "; where one is called z, sites lie in space" : ""));
-        }
-        if (third == no_column && most_ == 3) {
-            leave_out(3 - x - y);
-        } else if (y < most_ && is_y_of_geographers(lines_.name(x))) {
-            // Columns without names of ours go by their place, which those of geographers do not.
-            result_.note = fmt::format("{}: {} is x and {} is y. {} takes them the other way",
-                                       lines_.place_of_line(), quoted(x), quoted(y),
-                                       option_for({y, x, third}));
-        }
-        if (third != no_column) leave_out_height();
+        if (!are_called_so)
+            add_to_note(fmt::format("{}: {} is x and {} is y{}", lines_.place_of_line(), quoted(x),
+                                    quoted(y),
+                                    is_of(NameFamily::geographic, 0)
+                                        ? ", degrees that are taken for a plane's"
+                                        : ""));
+        leave_others_out();
         if (most_ > 3 || !result_.note.empty()) lines_.keep_separator();
     }
 
+    /// What programs call x and y: POINT_X, easting, Longitude. False where none is there.
+    bool take_known_names() {
+        constexpr std::array families = {NameFamily::letters, NameFamily::projected,
+                                         NameFamily::geographic, NameFamily::initials};
+        std::array<std::array<std::vector<std::size_t>, 2>, families.size()> found;
+        for (std::size_t column = 0; column < most_; ++column) {
+            const auto name = coordinate_named(lines_.text(column));
+            if (column != places_[radius_] && name && name->axis < 2)
+                found[static_cast<std::size_t>(name->family)][static_cast<std::size_t>(name->axis)]
+                    .push_back(column);
+        }
+        const auto are_two = [](const auto& of) { return !of[0].empty() && !of[1].empty(); };
+        const auto count = std::ranges::count_if(found, are_two);
+        if (count == 0) return false;
+        const auto& [of_x, of_y] = *std::ranges::find_if(found, are_two);
+        if (count > 1 || of_x.size() > 1 || of_y.size() > 1)
+            lines_.fail_at(of_x.front(),
+                           fmt::format("several columns may be x and y among {}; choose with "
+                                       "--columns, as in --columns {},{}",
+                                       lines_.names(), lines_.text(of_x.front()),
+                                       lines_.text(of_y.front())));
+        places_[0] = of_x.front();
+        places_[1] = of_y.front();
+        return true;
+    }
+
+    /// Of names that say nothing, where there are no more than three; what numbers the rows is no
+    /// coordinate.
     void take_first_two() {
-        if (most_ > 3) {
+        std::vector<std::size_t> free;
+        bool has_half = false;
+        for (std::size_t column = 0; column < most_; ++column) {
+            const auto name = coordinate_named(lines_.text(column));
+            has_half |= name && name->family != NameFamily::initials;
+            if (column != places_[radius_] && !is_name_of_identifier(lines_.text(column)))
+                free.push_back(column);
+        }
+        if (most_ > 3 || free.size() < 2 || has_half)
             lines_.fail_at(
-                0,
-                fmt::format(
-                    "a header of more than three columns, and none is called x or y; "
-                    "choose them with --columns, as in --columns 1,2{}",
-                    may_lie_in_space_ ? ", or --columns 1,2,3,4 for x, y, z and r in space" : ""));
-        }
-        std::size_t column = 0;
-        for (std::size_t which = 0; which < 2; ++which) {
-            if (column == places_[radius_]) ++column;
-            places_[which] = column++;
-        }
-        for (; column < most_; ++column)
-            if (is_x_of_geographers(lines_.name(column)) ||
-                is_y_of_geographers(lines_.name(column)))
-                lines_.fail_at(column, fmt::format("{} stands behind the first two columns, which "
-                                                   "would be x and y; choose them with --columns, "
-                                                   "as in --columns 2,3",
-                                                   quoted(column)));
+                0, fmt::format("none of the columns {} is called x or y; choose them with "
+                               "--columns, as in --columns 1,2{}",
+                               lines_.names(),
+                               may_lie_in_space_ && most_ > 3
+                                   ? ", or --columns 1,2,3,4 for x, y, z and r in space"
+                                   : ""));
+        places_[0] = free[0];
+        places_[1] = free[1];
     }
 
     [[nodiscard]] std::string quoted(std::size_t column) const {
         return in_quotes(lines_.text(column));
     }
 
-    static constexpr std::string_view where_called_z = "sites lie in space where it is called z";
-
-    /// A third column without a name that makes it one is no radius.
-    void leave_out(std::size_t column) {
+    /// A column without a name that makes it one is no radius; z says that sites lie in space.
+    void leave_others_out() {
+        constexpr std::size_t most_shown = 12;
         const auto& [x, y, third, none] = places_;
-        const bool is_height = lines_.name(column) == "z";
-        const bool may_be_height = may_lie_in_space_ && may_mean_z(lines_.name(column));
-        result_.note = fmt::format(
-            "{}: {} is x, {} is y, and {} is left out: {}. {}{} takes it for {}, {} leaves it out "
-            "without a word",
-            lines_.place_of_line(), quoted(x), quoted(y), quoted(column),
-            may_be_height ? where_called_z
-            : is_height   ? "sites lie in the plane here"
-                          : "no radius, or it would be called r, radius or weight",
-            may_be_height ? "--dimension 3 " : "", option_for({x, y, column}),
-            may_be_height ? "z"
-            : is_height   ? "a radius"
-                          : "one",
-            option_for({x, y}));
-    }
-
-    /// Other columns beside x, y and r say something about a site; z says that it lies in space.
-    void leave_out_height() {
-        const auto& [x, y, third, none] = places_;
-        std::size_t height = lines_.column_called("z");
-        const bool is_height = height != no_column;
-        for (std::size_t column = 0; !is_height && may_lie_in_space_ && column < most_; ++column) {
+        std::vector<std::string> names;
+        std::size_t height = no_column;
+        std::size_t first = no_column;
+        for (std::size_t column = 0; column < most_; ++column) {
             if (column == x || column == y || column == third) continue;
-            if (height == no_column && may_mean_z(lines_.name(column))) height = column;
+            const bool is_height = lines_.name(column) == "z" ||
+                                   (may_lie_in_space_ && may_mean_z(lines_.name(column)));
+            if (is_height && height == no_column) height = column;
+            // Beside a radius other columns say something about a site.
+            if (third != no_column && !is_height) continue;
+            if (is_name_of_identifier(lines_.text(column))) continue;
+            if (first == no_column) first = column;
+            if (names.size() < most_shown) names.push_back(quoted(column));
         }
-        if (height == no_column) return;
-        result_.note = fmt::format(
-            "{}: {} is left out: {}. {}{} leaves it out without a word", lines_.place_of_line(),
-            quoted(height), is_height ? "sites lie in the plane" : where_called_z,
-            is_height ? "" : option_for({x, y, height, third}) + " takes it for z, ",
-            option_for({x, y, third}));
+        if (names.empty()) return;
+        const bool is_z = height != no_column && lines_.name(height) == "z";
+        const bool is_one = names.size() == 1;
+        const std::string why =
+            height == no_column ? "no radius, or it would be called r, radius or weight"
+            : is_z              ? std::string("sites lie in the plane here")
+                                : std::string("sites lie in space where it is called z");
+        const std::size_t meant = height == no_column ? first : height;
+        const std::string taken =
+            third != no_column && is_z ? ""
+            : height == no_column      ? option_for({x, y, meant}) + " takes it for one, "
+            : is_z                     ? option_for({x, y, meant}) + " takes it for a radius, "
+                                       : "--dimension 3 " + option_for({x, y, meant, third}) +
+                                             " takes it for z, ";
+        add_to_note(fmt::format(
+            "{}: {} {} {}: {}. {}{} leaves {} out without a word", lines_.place_of_line(),
+            fmt::join(names, ", "), is_one ? "is" : "are",
+            options_.attributes ? "carried along" : "left out", why,
+            is_one ? taken : std::string(), option_for({x, y, third}), is_one ? "it" : "them"));
     }
 
     /// Block after block: plain lines at once, and what is not plain in a block line by line.
@@ -278,11 +308,12 @@ class TextSites {
         constexpr std::size_t block = is_for_small_files ? 2000 : std::size_t{1} << 23;
         for (;;) {
             std::int64_t others = std::numeric_limits<std::int64_t>::max();
-            if (!options_.attributes) {
+            if (!options_.attributes && options_.decimal == '.') {
                 const std::string_view ahead = lines_.file().lines_ahead(block);
                 const PlainLines plain = read_plain_lines(
                     ahead, {.places = places_,
                             .coordinates = radius_,
+                            .least = columns_of_header_,
                             .most = most_,
                             .separator = lines_.separator(),
                             .has_radius = is_told_ && places_[radius_] != no_column,
@@ -305,6 +336,14 @@ class TextSites {
 
     void read_site() {
         if (lines_.size() > most_) fail_at_surplus();
+        if (lines_.size() < columns_of_header_)
+            lines_.fail_at_end_of_line(
+                fmt::format("{} column{}, but the header names {}; write as many", lines_.size(),
+                            lines_.size() == 1 ? "" : "s", columns_of_header_));
+        if (options_.skips_missing && has_missing()) {
+            if (missing_++ == 0) first_missing_ = lines_.place_of_line();
+            return;
+        }
         std::array<double, 4> numbers = {};
         for (std::size_t which = 0; which < radius_; ++which)
             numbers[which] = read_column(places_[which]);
@@ -321,15 +360,17 @@ class TextSites {
         attributes_.read(lines_);
     }
 
+    [[nodiscard]] bool has_missing() const {
+        return std::ranges::any_of(std::span(places_).first(radius_ + 1), [&](std::size_t column) {
+            return column < lines_.size() && lines_.is_missing(column);
+        });
+    }
+
     [[noreturn]] void fail_at_surplus() const {
-        if (lines_[most_].empty()) lines_.fail_at_empty(most_);
-        if (is_named_) {
-            lines_.fail_at(
-                most_,
-                fmt::format("{} columns, but the header names {}; write as many, or choose with "
-                            "--columns, as in --columns {}",
-                            lines_.size(), most_, words_.chosen));
-        }
+        if (columns_of_header_ == 0 && lines_[most_].empty()) lines_.fail_at_empty(most_);
+        if (columns_of_header_ > 0)
+            lines_.fail_at(most_, fmt::format("{} columns, but the header names {}; write as many",
+                                              lines_.size(), columns_of_header_));
         lines_.fail_at(
             most_,
             fmt::format("{}; {}{}, or name the columns {} (or radius, weight) in a first "
@@ -364,13 +405,15 @@ class TextSites {
     std::size_t radius_;                                ///< among them
     std::size_t most_;                                  ///< columns in a line
     bool is_told_ = false;   ///< which columns there are, by a header or by the caller
-    bool is_named_ = false;  ///< by a header
+    std::size_t columns_of_header_ = 0;  ///< 0 where there is none
     bool may_lie_in_space_;  ///< nobody has said where the sites lie
     AttributeColumns attributes_;
     /// Sites whose lines end before a column of radii or weights that a header names, or that the
     /// caller chose.
     std::size_t without_radius_ = 0;
     std::string first_without_radius_;  ///< its place
+    std::size_t missing_ = 0;           ///< lines that lack a number, and are passed over
+    std::string first_missing_;         ///< the place of the first
     SitesFile result_;
 };
 
@@ -399,7 +442,10 @@ void refuse_other_formats(const TextColumns& lines) {
 
 SitesFile read_text_sites(InputFile& file, const ReadOptions& options) {
     const std::optional<int> dimension = options.dimension;
-    TextColumns lines(file, advice_of(dimension == 3));
+    TextColumns lines(file, advice_of(dimension == 3), options.decimal);
+    std::string_view passed;
+    for (std::int64_t line = 0; line < options.skipped_lines; ++line)
+        if (!file.next_line(passed, advice_of(dimension == 3))) break;
     if (!lines.next_line()) lines.fail_at_end_of_file("no site in this file");
     refuse_other_formats(lines);
     const bool has_header = lines.is_header();

@@ -101,6 +101,7 @@ TextSlice read_text_slice(const std::string& name, int dimension, std::uint64_t 
     const PlainLayout layout = {
         .places = {0, 1, 2, is_space ? 3 : std::numeric_limits<std::size_t>::max()},
         .coordinates = coordinates,
+        .least = coordinates,
         .most = coordinates + 1,
         .separator = '\0',
         .has_radius = false,
