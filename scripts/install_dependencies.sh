@@ -16,7 +16,7 @@ set -euo pipefail
 
 oldest_gcc=12
 oldest_clang=14
-build=(g++ cmake ninja-build libgmp-dev libmpfr-dev libboost-dev libtbb-dev libhwy-dev libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev)
+build=(g++ cmake ninja-build libgmp-dev libmpfr-dev libboost-dev libtbb-dev libhwy-dev libcli11-dev libfmt-dev nlohmann-json3-dev libtomlplusplus-dev zlib1g-dev gemmi-dev tao-pegtl-dev)
 python=(python3-dev pybind11-dev python3-numpy python3-scipy python3-pytest python3-matplotlib python3-pandas
   python3-shapely python3-geopandas python3-nbclient python3-nbformat python3-ipykernel
   python3-pip mypy)

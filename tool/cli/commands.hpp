@@ -97,12 +97,14 @@ struct TextCall {
     std::string decimal = ".";   ///< or a comma
     std::int64_t skipped_lines = 0;
     bool skips_missing = false;
+    std::vector<std::string> radii;  ///< of elements, each EL=R; not of text, but of the same reading
     /// Whether any of it was typed.
     [[nodiscard]] bool is_given() const {
-        return !columns.empty() || decimal != "." || skipped_lines > 0 || skips_missing;
+        return !columns.empty() || decimal != "." || skipped_lines > 0 || skips_missing ||
+               !radii.empty();
     }
 };
-/// Adds --columns, which is given back, --decimal, --skip-lines and --skip-missing.
+/// Adds --columns, which is given back, --decimal, --skip-lines, --skip-missing and --radius.
 CLI::Option* add_text(CLI::App& command, TextCall& call);
 /// Reads the file as the call says, and says so where a column was left out that may have been
 /// meant. Throws InputError, CallError and MachineError.

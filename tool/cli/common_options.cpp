@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "../../core/parallel.hpp"
+#include "../io/elements.hpp"
 #include "../io/names.hpp"
 #include "../io/nearest_word.hpp"
 #include "../io/number.hpp"
@@ -125,6 +126,12 @@ CLI::Option* add_text(CLI::App& command, TextCall& call) {
                 "How many lines before the header, or the first\nsite, are passed over");
     command.add_flag("--skip-missing", call.skips_missing,
                      "Passes over lines where a number is empty, NA, NaN,\nnull or none");
+    command
+        .add_option("--radius", call.radii,
+                    "Of an element of a molecule, in Ångström, in place\nof the one that is known; as "
+                    "often as need be")
+        ->allow_extra_args(false)
+        ->type_name("EL=R");
     return columns;
 }
 
@@ -136,7 +143,7 @@ SitesFile read_in_plane(const std::string& path, const ReadOptions& options) {
     try {
         return read_sites(path, options);
     } catch (const InputError& error) {
-        if (!is_of_space(input_by_ending(ending_of(path)))) throw;
+        if (!is_of_space(input_by_ending(ending_of_input(path)))) throw;
         throw CallError(fmt::format(
             "{}: by its ending it holds sites in space, and sites of the plane are "
             "wanted here; signum triangulate, voronoi and compare take it with --metric "
@@ -181,13 +188,23 @@ SitesFile read_sites_of_call(const std::string& path, const TextCall& text,
             "--dimension 2: the sites of {} lie in space; leave it out, or add --read-as text",
             path));
     }
-    const ReadOptions options = {.columns = chosen,
+    ReadOptions options = {.columns = chosen,
                                  .dimension = dimension,
                                  .input = input,
                                  .attributes = attributes,
                                  .decimal = text.decimal.front(),
                                  .skipped_lines = text.skipped_lines,
                                  .skips_missing = text.skips_missing};
+    for (const std::string& each : text.radii) {
+        const std::size_t mark = std::min(each.find('='), each.size());
+        const std::string element = each.substr(0, mark);
+        const Number radius = parse_number(each.substr(std::min(mark + 1, each.size())));
+        if (!is_element(element) || radius.fault != NumberFault::none || radius.value < 0.0)
+            throw CallError(fmt::format("--radius {}: give an element and its radius in Ångström, as in "
+                                        "--radius Mo=2.1",
+                                        each));
+        options.radii[in_small_letters(element)] = radius.value;
+    }
     SitesFile file = dimension == 2 ? read_in_plane(path, options) : read_sites(path, options);
     if (!file.note.empty()) say("signum: {}\n", file.note);
     return file;

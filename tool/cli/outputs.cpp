@@ -115,6 +115,12 @@ std::string ending_of(const std::string& path) {
     return in_small_letters(path.substr(point + 1));
 }
 
+std::string ending_of_input(const std::string& path) {
+    constexpr std::string_view compressed = ".gz";
+    const bool is = in_small_letters(path).ends_with(compressed);
+    return ending_of(is ? path.substr(0, path.size() - compressed.size()) : path);
+}
+
 std::vector<Target> targets_of(const OutputsCall& call, const std::string& input,
                                std::span<const Format> formats) {
     const std::string first = call.format.empty() ? std::string(formats[0].name) : call.format;

@@ -114,7 +114,7 @@ void check_space(const SitesCall& call, const SitesFile& file) {
 }  // namespace
 
 SitesInput input_of(const std::string& path, const std::string& read_as) {
-    return input_by_ending(read_as.empty() ? ending_of(path) : read_as);
+    return input_by_ending(read_as.empty() ? ending_of_input(path) : read_as);
 }
 
 InputSites read_input(const SitesCall& call) {

@@ -197,7 +197,7 @@ void run(const ValidateCall& call) {
     if (call.tessellation == "-" && call.sites == "-") {
         throw CallError("only one of the two files can be standard input");
     }
-    if (is_ending_of_faces(ending_of(call.tessellation)))
+    if (is_ending_of_faces(ending_of_input(call.tessellation)))
         throw CallError(
             fmt::format("{}: that is a file of faces as other programs give them; add --finite",
                         call.tessellation));

@@ -208,6 +208,18 @@ void summarize(const Voronoi& voronoi, std::span<const Target> targets) {
     say("{}", written(targets));
 }
 
+/// Of longitudes and latitudes, all of which are on the globe, no cell reaches beyond it.
+Box on_globe(const Box& box, const SitesFile& file) {
+    constexpr Box globe = {-180, -90, 180, 90};
+    const bool are_on_it =
+        file.are_degrees && std::ranges::all_of(file.sites, [&](const Site& site) {
+            return std::abs(site.x) <= globe.x1 && std::abs(site.y) <= globe.y1;
+        });
+    if (!are_on_it) return box;
+    return {std::max(box.x0, globe.x0), std::max(box.y0, globe.y0), std::min(box.x1, globe.x1),
+            std::min(box.y1, globe.y1)};
+}
+
 void run(VoronoiCall& call) {
     const std::vector<Target> targets = targets_of(call, call.input, voronoi_formats);
     if (call.carry && !is_written(targets, "csv"))
@@ -228,7 +240,8 @@ void run(VoronoiCall& call) {
     const Outputs outputs(targets);
     const Voronoi diagram(construct(call, sites), {.merge = call.merge, .threads = call.threads});
 
-    const Box box = clip.value_or(default_box(diagram.tessellation().sites(), diagram.exponent()));
+    const Box box = clip.value_or(on_globe(
+        default_box(diagram.tessellation().sites(), diagram.exponent()), sites.file));
     const bool is_used =
         clip ||
         std::ranges::any_of(std::array<std::string_view, 5>{"geojson", "csv", "wkt", "vtk", "vtp"},

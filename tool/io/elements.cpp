@@ -22,14 +22,17 @@ constexpr std::array known_radii = std::to_array<ElementRadius>(
      {"Tl", 1.96}, {"Pb", 2.02}, {"U", 1.86},  {"Be", 1.53}, {"B", 1.92},  {"Al", 1.84},
      {"Ca", 2.31}, {"Ge", 2.11}, {"Rb", 3.03}, {"Sr", 2.49}, {"Sb", 2.06}, {"Cs", 3.43},
      {"Ba", 2.68}, {"Bi", 2.07}, {"V", 2.42},  {"Cr", 2.45}, {"Mn", 2.45}, {"Fe", 2.44},
-     {"Co", 2.40}});
+     {"Co", 2.40}, {"Po", 1.97}, {"At", 2.02}, {"Rn", 2.20}, {"Fr", 3.48}, {"Ra", 2.83},
+     {"Sc", 2.58}, {"Ti", 2.46}, {"Y", 2.75},  {"Zr", 2.52}, {"Nb", 2.56}, {"Mo", 2.45},
+     {"Tc", 2.44}, {"Ru", 2.46}, {"Rh", 2.44}, {"La", 2.98}, {"Ce", 2.88}, {"Pr", 2.92},
+     {"Nd", 2.95}, {"Sm", 2.90}, {"Eu", 2.87}, {"Gd", 2.83}, {"Tb", 2.79}, {"Dy", 2.87},
+     {"Ho", 2.81}, {"Er", 2.83}, {"Tm", 2.79}, {"Yb", 2.80}, {"Lu", 2.74}, {"Hf", 2.63},
+     {"Ta", 2.53}, {"W", 2.57},  {"Re", 2.49}, {"Os", 2.48}, {"Ir", 2.41}, {"Ac", 2.80},
+     {"Th", 2.93}});
 
 /// Those without a radius: who names one must not be given that of its first letter.
 constexpr auto without_radius = std::to_array<std::string_view>(
-    {"Sc", "Ti", "Y",  "Zr", "Nb", "Mo", "Tc", "Ru", "Rh", "La", "Ce", "Pr", "Nd",
-     "Pm", "Sm", "Eu", "Gd", "Tb", "Dy", "Ho", "Er", "Tm", "Yb", "Lu", "Hf", "Ta",
-     "W",  "Re", "Os", "Ir", "Po", "At", "Rn", "Fr", "Ra", "Ac", "Th", "Pa", "Np",
-     "Pu", "Am", "Cm", "Bk", "Cf", "Es", "Fm", "Md", "No", "Lr", "Rf", "Db", "Sg",
+    {"Pm", "Pa", "Np", "Pu", "Am", "Cm", "Bk", "Cf", "Es", "Fm", "Md", "No", "Lr", "Rf", "Db", "Sg",
      "Bh", "Hs", "Mt", "Ds", "Rg", "Cn", "Nh", "Fl", "Mc", "Lv", "Ts", "Og"});
 
 char capital(char c) noexcept {

@@ -2,8 +2,8 @@
 /// The radii of atoms that touch without a bond, in Ångström.
 ///
 /// Sources: A. Bondi, J. Phys. Chem. 68 (1964) 441; for elements of the main groups that it lacks
-/// M. Mantina et al., J. Phys. Chem. A 113 (2009) 5806; for V, Cr, Mn, Fe and Co, which neither
-/// has, S. Alvarez, Dalton Trans. 42 (2013) 8617.
+/// M. Mantina et al., J. Phys. Chem. A 113 (2009) 5806; for those that neither has, most metals,
+/// S. Alvarez, Dalton Trans. 42 (2013) 8617. Actinides behind thorium, but for U, have none here.
 
 #include <optional>
 #include <string_view>

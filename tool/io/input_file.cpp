@@ -1,11 +1,13 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <new>
 #include <string_view>
 #include <utility>
 
@@ -23,12 +25,15 @@ bool is_failure_of_machine(int error) noexcept {
     return error == EMFILE || error == ENFILE || error == ENOMEM || error == EIO;
 }
 
+constexpr std::string_view gzip_mark = "\x1F\x8B";
+
 /// What compressed a file that begins so; empty of all others.
 std::string_view compressor_of(std::string_view start) noexcept {
     using namespace std::string_view_literals;
-    constexpr std::array<std::array<std::string_view, 2>, 4> marks = {
-        {{"\x1F\x8B"sv, "gzip"sv},
+    constexpr std::array<std::array<std::string_view, 2>, 5> marks = {
+        {{gzip_mark, "gzip"sv},
          {"\xFD\x37zXZ"sv, "xz"sv},
+         {"BZh"sv, "bzip2"sv},
          {"\x28\xB5\x2F\xFD"sv, "zstd"sv},
          {"PK\x03\x04"sv, "zip"sv}}};
     for (const auto& [mark, name] : marks)
@@ -49,6 +54,22 @@ Position advance(Position position, std::string_view text) noexcept {
 }
 
 }  // namespace
+
+/// zlib's state, and the compressed bytes that it has not taken yet.
+struct InputFile::Inflation {
+    explicit Inflation(std::string_view start) : compressed(start.begin(), start.end()) {
+        constexpr int gzip_alone = 16 + MAX_WBITS;
+        if (inflateInit2(&stream, gzip_alone) != Z_OK) throw std::bad_alloc();
+    }
+    Inflation(const Inflation&) = delete;
+    Inflation& operator=(const Inflation&) = delete;
+    ~Inflation() { inflateEnd(&stream); }
+
+    z_stream stream = {};
+    std::vector<unsigned char> compressed;
+    std::size_t taken = 0;     ///< of them
+    bool has_member = false;   ///< a member has begun and not ended
+};
 
 InputFile::InputFile(std::string path, std::string_view kind, Contents contents)
     : path_(std::move(path)), kind_(kind), contents_(contents), buffer_(block_size) {
@@ -73,7 +94,13 @@ InputFile::InputFile(std::string path, std::string_view kind, Contents contents)
             throw InputError(path_, fmt::format("this is a directory; give {}", kind_));
         }
         fill();
-        if (contents_ == Contents::text) look_at_start();
+        if (contents_ != Contents::bytes && first_bytes().starts_with(gzip_mark)) {
+            inflation_ = std::make_unique<Inflation>(first_bytes());
+            begin_ = end_ = 0;
+            at_end_ = false;
+            fill();
+        }
+        if (contents_ != Contents::bytes) look_at_start();
     } catch (...) {
         if (descriptor_ != STDIN_FILENO) ::close(descriptor_);
         throw;
@@ -97,8 +124,9 @@ void InputFile::look_at_start() {
                                       ".npy"
                                     : fmt::format("this is an array of NumPy's, and no {}", kind_));
     if (const std::string_view by = compressor_of(start); !by.empty()) {
-        throw InputError(path_, fmt::format("this is compressed by {}, and compressed files "
-                                            "are not read; decompress it first",
+        throw InputError(path_, fmt::format("this is compressed by {}, and of compressed files "
+                                            "those of gzip alone are read, where they hold text; "
+                                            "decompress it first",
                                             by));
     }
     refuse_binary(begin_);
@@ -121,23 +149,62 @@ void InputFile::fill() {
     end_ -= begin_;
     begin_ = 0;
     while (!at_end_ && end_ < buffer_.size()) {
-        const ssize_t count = ::read(descriptor_, buffer_.data() + end_, buffer_.size() - end_);
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) {
-            const int error = errno;
-            const std::string reason = std::strerror(error);
-            if (is_failure_of_machine(error)) {
-                throw MachineError(fmt::format("cannot read {}: {}", path_, reason));
-            }
-            fail({line_number_ + 1, 1}, fmt::format("cannot read it ({}); give {}", reason, kind_));
-        }
+        char* const to = buffer_.data() + end_;
+        const std::size_t most = buffer_.size() - end_;
+        const std::size_t count = inflation_ ? read_inflated(to, most) : read_bytes(to, most);
         at_end_ = count == 0;
-        end_ += static_cast<std::size_t>(count);
+        end_ += count;
     }
 }
 
-/// Stops at a NUL byte in buffer_[first_new_byte, end_); all before it is known to have none.
+/// Of the file as it is; 0 at its end.
+std::size_t InputFile::read_bytes(char* to, std::size_t most) {
+    for (;;) {
+        const ssize_t count = ::read(descriptor_, to, most);
+        if (count >= 0) return static_cast<std::size_t>(count);
+        if (errno == EINTR) continue;
+        const int error = errno;
+        const std::string reason = std::strerror(error);
+        if (is_failure_of_machine(error))
+            throw MachineError(fmt::format("cannot read {}: {}", path_, reason));
+        fail({line_number_ + 1, 1}, fmt::format("cannot read it ({}); give {}", reason, kind_));
+    }
+}
+
+/// Of what gzip compressed, one member or several; 0 at the end of the last.
+std::size_t InputFile::read_inflated(char* to, std::size_t most) {
+    Inflation& state = *inflation_;
+    state.stream.next_out = reinterpret_cast<Bytef*>(to);
+    state.stream.avail_out = static_cast<uInt>(most);
+    const auto given = [&] { return most - state.stream.avail_out; };
+    while (given() == 0) {
+        if (state.taken == state.compressed.size()) {
+            state.compressed.resize(block_size);
+            state.compressed.resize(
+                read_bytes(reinterpret_cast<char*>(state.compressed.data()), block_size));
+            state.taken = 0;
+            if (state.compressed.empty() && !state.has_member) return 0;
+            if (state.compressed.empty())
+                throw InputError(path_, "this is compressed by gzip, and ends before its end");
+        }
+        state.stream.next_in = state.compressed.data() + state.taken;
+        state.stream.avail_in = static_cast<uInt>(state.compressed.size() - state.taken);
+        const int outcome = inflate(&state.stream, Z_NO_FLUSH);
+        state.taken = state.compressed.size() - state.stream.avail_in;
+        state.has_member = outcome != Z_STREAM_END;
+        if (outcome == Z_MEM_ERROR) throw std::bad_alloc();
+        if (outcome != Z_OK && outcome != Z_STREAM_END)
+            throw InputError(path_, fmt::format("this is compressed by gzip, and damaged{}{}",
+                                                state.stream.msg == nullptr ? "" : ": ",
+                                                state.stream.msg == nullptr ? "" : state.stream.msg));
+        if (outcome == Z_STREAM_END) inflateReset(&state.stream);
+    }
+    return given();
+}
+
+/// Stops text at a NUL byte in buffer_[first_new_byte, end_); all before it is known to have none.
 void InputFile::refuse_binary(std::size_t first_new_byte) const {
+    if (contents_ != Contents::text) return;
     const void* found = std::memchr(buffer_.data() + first_new_byte, '\0', end_ - first_new_byte);
     if (found == nullptr) return;
     const char* start = buffer_.data() + begin_;
@@ -208,7 +275,7 @@ void InputFile::skip(std::uint64_t bytes) {
 std::string_view InputFile::next_block() {
     if (begin_ == end_) {
         fill();
-        if (contents_ == Contents::text) refuse_binary(0);
+        refuse_binary(0);
     }
     const std::string_view block(buffer_.data() + begin_, end_ - begin_);
     begin_ = end_;

@@ -5,10 +5,12 @@
 ///  1. Memory is bounded by one block, whatever the file holds, or by what lines_ahead() is asked
 ///  for.
 ///  2. A NUL byte anywhere in text stops with an InputError.
-///  3. A UTF-8 byte order mark of text is skipped; a UTF-16 one stops with an InputError.
+///  3. What gzip compressed is read as what it holds where that is text; places are those in it.
+///  4. A UTF-8 byte order mark of text is skipped; a UTF-16 one stops with an InputError.
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,7 +28,11 @@ inline constexpr bool is_for_small_files = false;
 #endif
 
 /// What a file holds.
-enum class Contents : std::uint8_t { text, bytes };
+enum class Contents : std::uint8_t {
+    text,
+    bytes,
+    mixed  ///< lines of text, behind which bytes may follow
+};
 
 class InputFile {
  public:
@@ -66,7 +72,7 @@ class InputFile {
     }
 
     /// The next bytes, at most one block, valid until the next call; empty at the end. Not to be
-    /// mixed with next_line().
+    /// mixed with next_line(), but for what is mixed itself: behind the last line.
     [[nodiscard]] std::string_view next_block();
     /// How many bytes the file has; nothing where that is not known, as of a pipe.
     [[nodiscard]] std::optional<std::uint64_t> size() const;
@@ -78,6 +84,8 @@ class InputFile {
 
  private:
     void fill();
+    std::size_t read_bytes(char* to, std::size_t most);
+    std::size_t read_inflated(char* to, std::size_t most);
     void look_at_start();
     void refuse_binary(std::size_t first_new_byte) const;
 
@@ -85,6 +93,8 @@ class InputFile {
     std::string kind_;
     Contents contents_;
     int descriptor_ = -1;
+    struct Inflation;
+    std::unique_ptr<Inflation> inflation_;  ///< of a file that gzip compressed
     bool at_end_ = false;
     std::vector<char> buffer_;
     std::size_t begin_ = 0;  ///< the bytes not handed out yet: buffer_[begin_, end_)

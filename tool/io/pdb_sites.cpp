@@ -2,15 +2,16 @@
 /// blanks.
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
-#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "elements.hpp"
+#include "molecules.hpp"
 #include "number.hpp"
 #include "sites_readers.hpp"
 
@@ -64,10 +65,11 @@ bool has_letters_alone(std::string_view text) {
 
 class PdbSites {
  public:
-    explicit PdbSites(InputFile& file)
+    PdbSites(InputFile& file, const ReadOptions& options)
         : lines_(file,
                  "an atom of a PDB file is a line ATOM or HETATM with x, y and z in columns 31 to "
-                 "54") {
+                 "54"),
+          options_(options) {
         result_.dimension = 3;
         result_.third = WeightIs::radius;
     }
@@ -76,70 +78,72 @@ class PdbSites {
         while (lines_.next())
             if (model_.takes(lines_, lines_.line(), !result_.in_space.empty())) read_atom();
         if (result_.in_space.empty()) lines_.fail_at_end("no atom in this file");
-        if (model_.others() + alternates_ > 0) note_what_is_left_out();
+        std::vector<std::string> notes;
+        if (model_.others() + alternates_.left_out() > 0) notes.push_back(what_is_left_out());
+        if (std::string guessed = guessed_.note(); !guessed.empty()) notes.push_back(guessed);
+        result_.note = joined_note(lines_.path(), notes);
         return std::move(result_);
     }
 
  private:
     void read_atom() {
-        if (is_alternate()) {
-            ++alternates_;
-            return;
-        }
+        // Places have a letter in column 17; chain, number and insertion code tell a residue.
+        if (!alternates_.takes(std::string(lines_.columns(22, 27)), lines_.columns(17, 17))) return;
+        check_columns();
         result_.in_space.push_back({lines_.number_in_columns(31, 38),
                                     lines_.number_in_columns(39, 46),
                                     lines_.number_in_columns(47, 54), radius()});
     }
 
-    /// Whether this is another place of the residue than the one that is read. Places have a letter
-    /// in column 17. Atoms of one letter belong together: under another one the residue may even be
-    /// of another type, with atoms of other names.
-    bool is_alternate() {
-        const std::string_view letter = lines_.columns(17, 17);
-        if (letter.empty()) return false;
-        const std::string residue(lines_.columns(22, 27));
-        return letters_.try_emplace(residue, letter.front()).first->second != letter.front();
+    /// In a line whose columns are shifted a number may be cut, and its digits be another's.
+    void check_columns() const {
+        const auto is_number = [&](std::size_t first) {
+            const std::string_view text = lines_.columns(first, first + 7);
+            return text.empty() || parse_number(text).fault != NumberFault::word;
+        };
+        if (is_number(31) && is_number(39) && is_number(47)) return;
+        lines_.fail_at_column(
+            31, fmt::format("x, y and z are to stand in columns 31 to 38, 39 to 46 and 47 to 54, and "
+                            "there stands {}; where a long number before them has moved them, move "
+                            "them back",
+                            in_quotes(lines_.line().substr(30, 24))));
     }
 
     /// Of the element in columns 77 and 78, where old files have digits; where none is, of the
-    /// atom's name, whose element ends in column 14.
-    [[nodiscard]] double radius() const {
+    /// one that the names say.
+    [[nodiscard]] double radius() {
         const std::string_view element = lines_.columns(77, 78);
         if (has_letters_alone(element)) return radius_of(element, 77, element);
         const std::string_view name = lines_.line().substr(12, 4);
         const bool begins_late = name[0] == ' ' || is_digit(name[0]);
         // Names of hydrogens that take four columns begin in the first one.
         const bool is_hydrogen = name[0] == 'H' && name.find(' ') == std::string_view::npos;
-        const bool has_two = !begins_late && !is_hydrogen && is_element(name.substr(0, 2));
-        return radius_of(has_two ? name.substr(0, 2) : name.substr(begins_late ? 1 : 0, 1), 13,
-                         lines_.columns(13, 16));
+        const std::string guessed =
+            element_by_name(lines_.columns(18, 21), name, !begins_late && !is_hydrogen);
+        guessed_.add(guessed);
+        return radius_of(guessed, 13, lines_.columns(13, 16));
     }
 
     [[nodiscard]] double radius_of(std::string_view element, std::size_t column,
                                    std::string_view shown) const {
-        if (const auto known = van_der_waals_radius(element)) return *known;
-        lines_.fail_at_column(
-            column,
-            fmt::format("no van der Waals radius is known of {}; name an element in columns 77 and "
-                        "78, or give radii in a PQR file",
-                        in_quotes(shown)));
+        if (const auto known = radius_of_element(options_, element)) return *known;
+        lines_.fail_at_column(column, no_radius_of(shown, element));
     }
 
-    void note_what_is_left_out() {
-        result_.note = fmt::format("{}: ", lines_.path());
-        if (alternates_ > 0)
-            result_.note += fmt::format("{} alternate place{} of atoms", alternates_,
-                                        alternates_ == 1 ? "" : "s");
-        if (model_.others() > 0) result_.note += (alternates_ > 0 ? " and " : "") + model_.note();
-        result_.note += alternates_ + model_.others() == 1 ? " is left out" : " are left out";
+    [[nodiscard]] std::string what_is_left_out() const {
+        const std::int64_t places = alternates_.left_out();
+        std::string note;
+        if (places > 0)
+            note = fmt::format("{} alternate place{} of atoms", places, places == 1 ? "" : "s");
+        if (model_.others() > 0) note += (places > 0 ? " and " : "") + model_.note();
+        return note + (places + model_.others() == 1 ? " is left out" : " are left out");
     }
 
     LineWords lines_;
+    const ReadOptions& options_;
     FirstModel model_;
-    std::int64_t alternates_ = 0;  ///< places left out
-    /// By chain, number and insertion code of a residue with alternate places: the letter of its
-    /// first atom that has one.
-    std::map<std::string, char> letters_;
+    AlternatePlaces alternates_;
+    GuessedElements guessed_;
     SitesFile result_;
 };
 
@@ -150,10 +154,29 @@ bool is_number_of_residue(std::string_view word) {
            });
 }
 
+/// The columns of numbers where words have grown together: x, y, z, charge and radius, eight columns
+/// each from the 31st. Nothing where one of them is none.
+std::optional<std::array<double, 5>> numbers_in_columns(const LineWords& lines) {
+    std::array<double, 5> numbers = {};
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        const Number number = parse_number(lines.columns(31 + 8 * k, 38 + 8 * k));
+        if (number.fault != NumberFault::none) return std::nullopt;
+        numbers[k] = number.value;
+    }
+    return numbers;
+}
+
 void read_pqr_atom(const LineWords& lines, SitesFile& result) {
     constexpr std::size_t least = 10;  // record, number, name, residue, its number, 5 numbers
     constexpr std::size_t most = 11;   // and a chain
     const std::size_t size = lines.size();
+    const bool are_words = size >= least && is_number_of_residue(lines[size - 6]);
+    if (const auto numbers = are_words ? std::nullopt : numbers_in_columns(lines)) {
+        const auto& [x, y, z, charge, radius] = *numbers;
+        if (radius < 0.0) lines.fail_at_column(63, "a negative radius; write 0 or more");
+        result.in_space.push_back({x, y, z, radius});
+        return;
+    }
     if (size < least) {
         lines.fail_at(size, fmt::format("{} words; an atom is record, number, name, residue, "
                                         "[chain,] number, x, y, z, charge, radius",
@@ -177,8 +200,8 @@ void read_pqr_atom(const LineWords& lines, SitesFile& result) {
 
 }  // namespace
 
-SitesFile read_pdb_sites(InputFile& file) {
-    return PdbSites(file).read();
+SitesFile read_pdb_sites(InputFile& file, const ReadOptions& options) {
+    return PdbSites(file, options).read();
 }
 
 SitesFile read_pqr_sites(InputFile& file) {

@@ -11,6 +11,7 @@
 
 #include "errors.hpp"
 #include "input_file.hpp"
+#include "nearest_word.hpp"
 #include "number.hpp"
 #include "read_sites.hpp"
 
@@ -324,12 +325,11 @@ bool is_ending_of_faces(std::string_view ending) noexcept {
 }
 
 FacesFile read_faces(const std::string& path) {
-    const std::size_t point = path.rfind('.');
     using namespace faces;
-    std::string ending = point == std::string::npos ? "" : path.substr(point + 1);
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) {
-        return c < 128 ? static_cast<char>(std::tolower(c)) : static_cast<char>(c);
-    });
+    std::string name = in_small_letters(path);
+    if (name.ends_with(".gz")) name.resize(name.size() - 3);
+    const std::size_t point = name.rfind('.');
+    const std::string ending = point == std::string::npos ? "" : name.substr(point + 1);
     if (ending == "npy") return read_array(path);
     InputFile file(path, kind);
     if (ending == "json") return read_json(file);

@@ -15,22 +15,31 @@ SitesFile as_it_is(InputFile& file, const ReadOptions&) {
 }
 SitesFile read_text_or_json(InputFile& file, const ReadOptions& options) {
     const char first = file.first_character();
-    return first == '[' || first == '{' ? read_json_sites(file, options)
-                                        : read_text_sites(file, options);
+    return first == '{'   ? read_geojson_sites(file, options)
+           : first == '[' ? read_json_sites(file, options)
+                          : read_text_sites(file, options);
 }
 
 constexpr std::array kinds = {
-    SitesInputKind{SitesInput::text, "text", "", "lines of columns, or JSON [[x, y, r], ...]",
+    SitesInputKind{SitesInput::text, "text", "", "lines of columns, JSON [[x, y, r], ...], or points of\nGeoJSON",
                    false, Contents::text, read_text_or_json},
     SitesInputKind{SitesInput::xyz, "xyz", "", "atoms in space: element x y z [radius]", true,
                    Contents::text, as_it_is<read_xyz_sites>},
+    SitesInputKind{SitesInput::cif, "cif", "mmcif", "the same in mmCIF", true, Contents::text,
+                   read_cif_sites},
+    SitesInputKind{SitesInput::gro, "gro", "", "atoms of GROMACS, in nanometres", true,
+                   Contents::text, read_gro_sites},
+    SitesInputKind{SitesInput::lammpstrj, "lammpstrj", "dump", "a dump of LAMMPS", true,
+                   Contents::text, read_lammps_sites},
     SitesInputKind{SitesInput::pdb, "pdb", "ent",
                    "atoms of a protein, with the van der Waals\nradii of their elements", true,
-                   Contents::text, as_it_is<read_pdb_sites>},
+                   Contents::text, read_pdb_sites},
     SitesInputKind{SitesInput::pqr, "pqr", "", "the same with radii of their own", true,
                    Contents::text, as_it_is<read_pqr_sites>},
-    SitesInputKind{SitesInput::ply, "ply", "", "the vertices of a mesh, in ASCII", true,
-                   Contents::text, as_it_is<read_ply_sites>},
+    SitesInputKind{SitesInput::off, "off", "", "the vertices of a mesh", true, Contents::text,
+                   as_it_is<read_off_sites>},
+    SitesInputKind{SitesInput::ply, "ply", "", "the vertices of a mesh", true, Contents::mixed,
+                   as_it_is<read_ply_sites>},
     SitesInputKind{SitesInput::npy, "npy", "", "a NumPy array, rows x y [r], in space x y z [r]",
                    false, Contents::bytes, read_npy_sites},
     SitesInputKind{SitesInput::f64, "f64", "",

@@ -7,11 +7,12 @@
 ///  2. Whatever is not exactly a list of sites is an InputError that names file, line and column
 ///     (of an array row and column); a file is read whole or not at all.
 ///  3. Memory beyond the sites themselves, and the attributes that were asked for, is bounded,
-///     whatever the file holds.
+///     whatever the file holds; of mmCIF, which a library reads, it is a multiple of the file's.
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,10 +36,14 @@ using Columns = std::vector<std::string>;
 
 /// What a file of sites may be.
 enum class SitesInput : std::uint8_t {
-    text,  ///< lines of columns, or JSON
+    text,  ///< lines of columns, JSON, or points of GeoJSON
     xyz,   ///< atoms: their number, a comment, then a line each: element x y z [radius]
+    cif,   ///< atoms of an mmCIF file, with the radii of their elements
+    gro,   ///< atoms of GROMACS
+    lammpstrj,  ///< a dump of LAMMPS
     pdb,   ///< atoms of the Protein Data Bank, with the radii of their elements
     pqr,   ///< the same with charges and radii
+    off,   ///< the same, of Geomview's format
     ply,   ///< vertices of a mesh
     npy,   ///< an array of NumPy's
     f64,   ///< doubles without a head
@@ -81,6 +86,9 @@ struct ReadOptions {
     /// Of text: whether lines are passed over where a number is empty, NA, NaN, null or none; the
     /// note says how many.
     bool skips_missing = false;
+    /// Of molecules: radii of elements in Å, by their symbols in small letters, before those that are
+    /// known.
+    std::map<std::string, double> radii = {};
     /// Of the rows of an array one share of so many, the shares in order; all else is read whole.
     /// The file has to have a size.
     struct Share {

@@ -93,6 +93,12 @@ class XyzSites {
         else if (without_radius_ > 0)
             notes.push_back(fmt::format("{} of {} atoms have no radius, and theirs are 0",
                                         without_radius_, result_.in_space.size()));
+        if (with_fifth_ > 0)
+            notes.push_back(fmt::format(
+                "a fifth word is no radius, for nothing says so, and is left out ({} of {} atoms); "
+                "say it in the comment, as in Properties=species:S:1:pos:R:3:radius:R:1, or with "
+                "--read-as text --skip-lines 2 --columns 2,3,4,5",
+                with_fifth_, result_.in_space.size()));
         if (is_periodic_)
             notes.emplace_back("the periodic box is left out, and the atoms are in all of space");
         if (!notes.empty())
@@ -104,7 +110,7 @@ class XyzSites {
     /// Where the words of an atom stand.
     struct AtomLayout {
         std::size_t x = 1;  ///< y and z follow
-        std::size_t radius = 4;
+        std::size_t radius = no_word;
         std::size_t least = 4;
         std::size_t most = 5;
     };
@@ -122,6 +128,7 @@ class XyzSites {
         result_.in_space.clear();
         result_.first_negative.reset();
         without_radius_ = 0;
+        with_fifth_ = 0;
         for (std::uint64_t i = 0; i < *atoms; ++i) {
             if (!lines_.next()) {
                 lines_.fail_at_end(fmt::format("the file ends after {} of {} atoms", i, *atoms));
@@ -145,6 +152,7 @@ class XyzSites {
                                  "comment what it is, as in Properties=species:S:1:pos:R:3:...");
         }
         if (layout.radius >= lines_.size()) ++without_radius_;
+        if (!is_extended_ && lines_.size() > layout.least) ++with_fifth_;
         const std::size_t x = layout.x;
         add_site(result_, lines_, {x, x + 1, x + 2, layout.radius});
     }
@@ -196,6 +204,7 @@ class XyzSites {
     bool is_extended_ = false;
     bool is_periodic_ = false;
     std::size_t without_radius_ = 0;  ///< atoms of this frame
+    std::size_t with_fifth_ = 0;      ///< of them, with a word behind x y z
     SitesFile result_;
 };
 

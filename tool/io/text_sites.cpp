@@ -16,6 +16,7 @@
 
 #include "coordinate_names.hpp"
 #include "number.hpp"
+#include "other_formats.hpp"
 #include "plain_lines.hpp"
 #include "sites_readers.hpp"
 #include "text_columns.hpp"
@@ -430,24 +431,18 @@ std::string advice_of(bool in_space) {
     return fmt::format("write one site a line: {}", in_space ? "x y z [r]" : "x y [r]");
 }
 
-/// What holds atoms, too, and may have been taken for text.
-void refuse_other_formats(const TextColumns& lines) {
-    if (lines.size() != 1 || !lines.name(0).starts_with("data_")) return;
-    lines.fail_at(0,
-                  "this is mmCIF, which is not read; give the atoms as PDB, PQR or XYZ, or their "
-                  "coordinates as lines x,y,z,r below this header");
-}
-
 }  // namespace
 
 SitesFile read_text_sites(InputFile& file, const ReadOptions& options) {
     const std::optional<int> dimension = options.dimension;
+    if (options.skipped_lines == 0)
+        if (const std::string other = other_format(file.first_bytes()); !other.empty())
+            file.fail({1, 1}, other);
     TextColumns lines(file, advice_of(dimension == 3), options.decimal);
     std::string_view passed;
     for (std::int64_t line = 0; line < options.skipped_lines; ++line)
         if (!file.next_line(passed, advice_of(dimension == 3))) break;
     if (!lines.next_line()) lines.fail_at_end_of_file("no site in this file");
-    refuse_other_formats(lines);
     const bool has_header = lines.is_header();
     const bool in_space =
         dimension ? *dimension == 3 : lie_in_space(lines, options.columns, has_header);
