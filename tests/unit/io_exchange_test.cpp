@@ -258,7 +258,7 @@ TEST(Ply, ReadsBackToTheSame) {
 
 const std::string cities =
     "x,y,r,name,code,rank,area\n0,0,1,\"New \"\"York\"\"\",007,1,5\n4,0,1,Zürich,1,,-2.5e1\n"
-    "0,4,1,\"a, b\",2,3\n4,4,0,,3,4,1\n";
+    "0,4,1,\"a, b\",2,3,\n4,4,0,,3,4,1\n";
 
 TEST(Attributes, AreNumbersWhereJsonHasThem) {
     const SitesFile file = read(cities, {.attributes = true});

@@ -559,7 +559,9 @@ TEST(JsonSites, RefusesWhatIsNoListOfSites) {
     EXPECT_EQ(error("[[1,\"two\"]]"), "1:5: a string cannot stand here" + json);
     EXPECT_EQ(error("[[1,null]]"), "1:5: null cannot stand here" + json);
     EXPECT_EQ(error("[[1,true]]"), "1:5: true cannot stand here" + json);
-    EXPECT_EQ(error("{\"sites\": []}"), "1:1: an object cannot stand here" + json);
+    EXPECT_EQ(error("{\"sites\": []}"),
+              "1:1: no point in this file; of GeoJSON points are read, such as {\"type\": "
+              "\"Point\", \"coordinates\": [x, y]}, alone, in features or in a collection");
     EXPECT_EQ(error("[{\"x\": 1}]"), "1:2: an object cannot stand here" + json);
     EXPECT_EQ(error("[[1,1e999]]"),
               "1:5: '1e999' is beyond the range of a double; the largest is about 1.797e308");

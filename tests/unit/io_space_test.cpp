@@ -1,9 +1,13 @@
 /// Sites of space from text, JSON, atoms and meshes; tessellations of space to JSON, CSV, OBJ and
 /// VTK.
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <optional>
 #include <span>
@@ -58,11 +62,10 @@ const std::string word =
     " is not a number; write a decimal or hexadecimal float, such as 1.5, -2e-3 or 0x1.8p-3";
 
 TEST(TextSitesInSpace, AreToldByHeaderColumnsOrDimension) {
-    const SitesFile file = read("x y z r\n1 2 3 4\n5 6 7\n");
+    const SitesFile file = read("x y z r\n1 2 3 4\n5 6 7 0\n");
     EXPECT_EQ(file.dimension, 3);
     EXPECT_EQ(file.in_space, (Sites{{1, 2, 3, 4}, {5, 6, 7, 0}}));
     EXPECT_TRUE(file.sites.empty());
-    expect_note(file, "f:3: the line ends before its radius, which is 0 then (1 of 2 lines)");
     EXPECT_EQ(read("1 2 3 4\n", in_space).in_space, (Sites{{1, 2, 3, 4}}));
     EXPECT_EQ(read("1,2,3\n", in_space).in_space, (Sites{{1, 2, 3, 0}}));
     EXPECT_EQ(read("1 2 3\n").dimension, 2);
@@ -99,10 +102,9 @@ TEST(TextSitesInSpace, RefuseWhatIsWrong) {
     EXPECT_EQ(error("x y z r\n1 2 3 nan\n"),
               "2:7: 'nan' is not a finite number; write a finite one");
     EXPECT_EQ(error("x y z r\n1 2\n"),
-              "2:4: the line ends before the columns x, y and z; write all three");
+              "2:4: 2 columns, but the header names 4; write as many");
     EXPECT_EQ(error("x y z r\n1 2 3 4 5\n"),
-              "2:9: 5 columns, but the header names 4; write as many, or choose with --columns, as "
-              "in --columns 1,2,3");
+              "2:9: 5 columns, but the header names 4; write as many");
     EXPECT_EQ(error("1 2\n", in_space),
               "1:4: two columns; a site in space has at least three: x y z [r]");
     EXPECT_EQ(error("1\n", in_space),
@@ -116,8 +118,8 @@ TEST(TextSitesInSpace, RefuseWhatIsWrong) {
               "1:7: an empty column; write a number or remove the separator");
     EXPECT_EQ(
         error("x y\n1 2\n", in_space),
-        "1:1: the header does not name x, y and z; name the columns x, y, z and r (or radius, "
-        "weight), or choose with --columns, as in --columns 1,2,3");
+        "1:1: the header does not name x, y and z, but 'x', 'y'; choose them with --columns, as in "
+        "--columns 1,2,3");
     EXPECT_EQ(error("x y z z\n1 2 3 4\n"), "1:7: a second column z; name one");
     EXPECT_EQ(error("x y z r weight\n1 2 3 4 5\n"),
               "1:9: a second column of radii or weights; name one column r, radius or weight");
@@ -135,15 +137,14 @@ TEST(TextSitesInSpace, AreMissedWhereNoColumnIsCalledZ) {
     const SitesFile beside_radius = read("x,y,zz,r\n1,2,3,4\n");
     EXPECT_EQ(beside_radius.sites, (std::vector<Site>{{1, 2, 4}}));
     expect_note(beside_radius,
-                "f:1: 'zz' is left out: sites lie in space where it is called z. --columns 1,2,3,4 "
-                "takes it for z, --columns 1,2,4 leaves it out without a word");
+                "f:1: 'zz' is left out: sites lie in space where it is called z. --dimension 3 "
+                "--columns 1,2,3,4 takes it for z, --columns 1,2,4 leaves it out without a word");
     EXPECT_EQ(read("x,y,zz,r\n1,2,3,4\n", {.columns = {"1", "2", "3", "4"}}).in_space,
               (Sites{{1, 2, 3, 4}}));
     const SitesFile alone = read("x_um,y_um,z_um\n1,2,3\n");
     EXPECT_EQ(alone.sites, (std::vector<Site>{{1, 2, 0}}));
     expect_note(alone,
-                "f:1: 'x_um' is x, 'y_um' is y, and 'z_um' is left out: sites lie in space where "
-                "it is called z. --dimension 3 --columns 1,2,3 takes it for z, --columns 1,2 "
+                "f:1: 'z_um' is left out: sites lie in space where it is called z. --dimension 3 --columns 1,2,3 takes it for z, --columns 1,2 "
                 "leaves it out without a word");
     for (const char* name : {"pz", "pos.z", "Z [m]", "z1", "center_z"})
         EXPECT_NE(read(std::string("x,y,") + name + ",r\n1,2,3,4\n").note, "") << name;
@@ -151,29 +152,61 @@ TEST(TextSitesInSpace, AreMissedWhereNoColumnIsCalledZ) {
         EXPECT_EQ(read(std::string("x,y,") + name + ",r\n1,2,3,4\n").note, "") << name;
     EXPECT_EQ(read("x,y,zz,r\n1,2,3,4\n", {.dimension = 2}).note, "");
     EXPECT_EQ(error("a,b,c,d\n1,2,3,4\n"),
-              "1:1: a header of more than three columns, and none is called x or y; choose them "
-              "with --columns, as in --columns 1,2, or --columns 1,2,3,4 for x, y, z and r in "
-              "space");
-    EXPECT_EQ(error("x,y,zz,m\n1,2,3,4\n"),
-              "1:1: the header names x and y and several other columns, but no r; name one column "
-              "r, radius or weight, or choose with --columns, as in --columns x,y; where one is "
-              "called z, sites lie in space");
+              "1:1: none of the columns 'a', 'b', 'c', 'd' is called x or y; choose them with "
+              "--columns, as in --columns 1,2, or --columns 1,2,3,4 for x, y, z and r in space");
+    expect_note(read("x,y,zz,m\n1,2,3,4\n"),
+                "f:1: 'zz', 'm' are left out: sites lie in space where it is called z. --columns 1,2 "
+                "leaves them out without a word");
 }
 
 TEST(Sites, SayWhichFormatIsNotRead) {
-    const std::string mmcif =
-        "this is mmCIF, which is not read; give the atoms as PDB, PQR or XYZ, "
-        "or their coordinates as lines x,y,z,r below this header";
-    EXPECT_EQ(error("data_1ABC\n#\n_entry.id 1ABC\n"), "1:1: " + mmcif);
-    EXPECT_EQ(error("# made by hand\ndata_1ABC\n", in_space), "2:1: " + mmcif);
-    for (const auto& [mark, name] : std::map<std::string, std::string>{{"\x1F\x8B\x08", "gzip"},
-                                                                       {"\xFD\x37zXZ", "xz"},
+    struct Beginning {
+        const char* text;
+        const char* name;
+    };
+    const std::vector<Beginning> beginnings = {
+        {"data_1ABC\n#\n_entry.id 1ABC\n", "CIF"},
+        {"# made by hand\ndata_1ABC\n", "CIF"},
+        {"<?xml version=\"1.0\"?>\n<kml xmlns=\"\">\n", "KML"},
+        {"\n  <gpx version=\"1.1\">\n", "GPX"},
+        {"<?xml version=\"1.0\"?>\n<data/>\n", "XML"},
+        {"<VTKFile type=\"PolyData\">\n", "VTK's XML"},
+        {"# vtk DataFile Version 3.0\ntitle\nASCII\n", "VTK's legacy format"},
+        {"solid cube\n facet normal 0 0 1\n", "STL"},
+        {"OFF\n4 4 6\n0 0 0\n", "OFF"},
+        {"ply\nformat ascii 1.0\n", "PLY"},
+        {"@<TRIPOS>MOLECULE\nx\n", "MOL2"},
+        {"# one\n@<TRIPOS>MOLECULE\nx\n", "MOL2"},
+        {"ITEM: TIMESTEP\n0\n", "a dump of LAMMPS"},
+        {"LAMMPS data file\n\n2 atoms\n", "LAMMPS' data"},
+        {"polymer\n\n2 atoms\n1 atom types\n0 1 xlo xhi\n", "LAMMPS' data"},
+        {"CRYST1   10.000   10.000\n", "PDB"},
+        {"ATOM      1  N   ALA A   1      11.104   6.134  -6.504  1.00  0.00           N  \n",
+         "PDB or PQR"},
+        {"2\nwater\nO 0 0 0\nH 0 0 1\n", "XYZ"},
+        {"Two waters\n6\n    1SOL     OW    1   0.500   1.500   1.600\n", "GRO"},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "OBJ"},
+        {"Si2\n1.0\n1 0 0\n0 1 0\n0 0 1\nSi\n2\nDirect\n0 0 0\n", "POSCAR"},
+        {"POINT (1 2)\nPOINT (3 4)\n", "WKT"},
+        {"POLYGON((0 0, 1 0, 1 1, 0 0))\n", "WKT"},
+    };
+    for (const Beginning& each : beginnings)
+        for (const ReadOptions& options : {ReadOptions(), in_space})
+            EXPECT_TRUE(error(each.text, options).starts_with("1:1: this is " + std::string(each.name) + ", which "))
+                << each.text << error(each.text, options);
+    // Headers and sites that begin alike.
+    for (const char* text : {"POINT_X POINT_Y\n1 2\n", "OFFSET,x,y\n1,1,2\n", "2 1\n3 4\n5 6\n",
+                             "v,x,y\n1,1,2\n", "ply,x,y\n1,1,2\n", "solid,x,y\n1,1,2\n",
+                             "data_id,x,y\n1,1,2\n"})
+        EXPECT_GE(read(text).sites.size(), 1U) << text;
+    for (const auto& [mark, name] : std::map<std::string, std::string>{{"\xFD\x37zXZ", "xz"},
                                                                        {"\x28\xB5\x2F\xFD", "zstd"},
                                                                        {"PK\x03\x04", "zip"}}) {
         for (const SitesInput input : {SitesInput::text, SitesInput::pdb, SitesInput::ply})
             EXPECT_EQ(error(mark + std::string(3, '\0'), as(input)),
                       " this is compressed by " + name +
-                          ", and compressed files are not read; decompress it first");
+                          ", and of compressed files those of gzip alone are read, where they hold "
+                          "text; decompress it first");
     }
 }
 
@@ -210,8 +243,16 @@ TEST(XyzSites, ReadAtoms) {
     const SitesFile file =
         read("3\nwater\nO 0 0 0 1.52\nH 0.96 0 0 1.2\nH -0.24 0.93 0\n\n", as(SitesInput::xyz));
     EXPECT_EQ(file.dimension, 3);
-    EXPECT_EQ(file.in_space, (Sites{{0, 0, 0, 1.52}, {0.96, 0, 0, 1.2}, {-0.24, 0.93, 0, 0}}));
-    expect_note(file, "f: 1 of 3 atoms have no radius, and theirs are 0");
+    EXPECT_EQ(file.in_space, (Sites{{0, 0, 0, 0}, {0.96, 0, 0, 0}, {-0.24, 0.93, 0, 0}}));
+    expect_note(file,
+                "f: no atom has a radius, and all radii are 0; a fifth word is no radius, for nothing "
+                "says so, and is left out (2 of 3 atoms); say it in the comment, as in "
+                "Properties=species:S:1:pos:R:3:radius:R:1, or with --read-as text --skip-lines 2 "
+                "--columns 2,3,4,5");
+    EXPECT_EQ(read("2\nwater\nO 0 0 0 1.52\nH 0.96 0 0 1.2\n",
+                   {.columns = {"2", "3", "4", "5"}, .skipped_lines = 2})
+                  .in_space,
+              (Sites{{0, 0, 0, 1.52}, {0.96, 0, 0, 1.2}}));
     const SitesFile frames = read(
         "1\nProperties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1 Time=0\nA 1 2 3 9 9 9 4 0\n"
         "1\nLattice=\"1 0 0\" Properties=id:I:1:radius:R:1:pos:R:3 Time=1\n7 4 5 6 7\n",
@@ -298,7 +339,7 @@ TEST(PdbSites, ReadAtomsWithTheRadiiOfTheirElements) {
                                     {13.5, 7.7, -4.5, 1.2}}));
     expect_note(file,
                 "f: 1 alternate place of atoms and 7 atoms of models after the first one are left "
-                "out");
+                "out; 3 atoms name no element, and are taken by name and residue for one: 1 Fe, 2 H");
 }
 
 TEST(PdbSites, KeepOneLetterOfAResidue) {
@@ -350,8 +391,57 @@ TEST(PdbSites, RefuseWhatIsWrong) {
               "2:42: 'six13'" + word);
     EXPECT_EQ(
         wrong("ATOM      1  X   UNK A   1      11.104   6.134  -6.504  1.00  0.00           X\n"),
-        "1:77: no van der Waals radius is known of 'X'; name an element in columns 77 and 78, or "
-        "give radii in a PQR file");
+        "1:77: no van der Waals radius is known of 'X'; give one, as in --radius X=2.1, or radii of "
+        "all atoms in a PQR file");
+    // Digits of one number would be another's.
+    EXPECT_EQ(wrong("ATOM  16118 CA   GLN D 1000      23.700 -28.100 -33.400  1.00\n"),
+              "1:31: x, y and z are to stand in columns 31 to 38, 39 to 46 and 47 to 54, and there "
+              "stands '   23.700 -28.100 -33.40'; where a long number before them has moved them, "
+              "move them back");
+}
+
+TEST(PdbSites, TakeElementsFromResiduesAndNames) {
+    struct Atom {
+        const char* name;  ///< columns 13 to 16
+        const char* residue;
+        const char* element;
+    };
+    const std::vector<Atom> atoms = {
+        // Ions of CHARMM, Amber and others, in whatever column.
+        {"SOD ", "SOD", "Na"}, {" SOD", "SOD", "Na"}, {"POT ", "POT", "K"}, {"CLA ", "CLA", "Cl"},
+        {"CAL ", "CAL", "Ca"}, {"CES ", "CES", "Cs"}, {"LIT ", "LIT", "Li"}, {" ZN ", "ZN2", "Zn"},
+        {"MG  ", " MG", "Mg"}, {"Na+ ", "Na+", "Na"}, {" K+ ", " K+", "K"}, {"Cl- ", "Cl-", "Cl"},
+        {"CIO ", "CIO", "Na"}, {" NA ", " NA", "Na"}, {" CL ", " CL", "Cl"}, {" U  ", "  U", "U"},
+        // Chlorophyll is no chloride.
+        {"MG  ", "CLA", "Mg"}, {" CHA", "CLA", "C"},
+        // Names that begin in column 13 all the same.
+        {"OG  ", "SER", "O"}, {"CA  ", "ALA", "C"}, {"CD  ", "GLU", "C"}, {"HG  ", "SER", "H"},
+        {"NE  ", "ARG", "N"}, {"SG  ", "CYS", "S"}, {"NH1 ", "ARG", "N"}, {"HO5'", " DA", "H"},
+        {"SE  ", "MSE", "Se"}, {"1HB ", "ALA", "H"}, {"OH2 ", "TIP", "O"}, {"P   ", " DG", "P"},
+        {" CA ", "GLY", "C"}, {"HE21", "GLN", "H"},
+        // Where the residue says nothing, the columns do.
+        {"FE  ", "HEM", "Fe"}, {" C1 ", "LIG", "C"}, {"CL1 ", "LIG", "Cl"}, {"C210", "LIG", "C"}};
+    for (const auto& [name, residue, element] : atoms) {
+        const SitesFile file =
+            read(fmt::format("HETATM    1 {:4} {:>3} A   1       1.000   2.000   3.000\n", name, residue),
+                 as(SitesInput::pdb));
+        EXPECT_EQ(file.in_space, (Sites{{1, 2, 3, *van_der_waals_radius(element)}}))
+            << name << ' ' << residue;
+        expect_note(file, fmt::format("f: 1 atom names no element, and is taken by name and residue "
+                                      "for one: 1 {}",
+                                      element));
+    }
+}
+
+TEST(PdbSites, TakeTheRadiiThatWereChosen) {
+    const std::string two = std::string("HETATM    1 MO1  ICS A 500       1.000   0.000   0.000  1.00  "
+                                        "0.00          MO\nHETATM    2 PU1  ICS A 500       2.000   "
+                                        "0.000   0.000  1.00  0.00          PU\n");
+    EXPECT_EQ(read(two, {.input = SitesInput::pdb, .radii = {{"mo", 2.1}, {"pu", 2}}}).in_space,
+              (Sites{{1, 0, 0, 2.1}, {2, 0, 0, 2}}));
+    EXPECT_EQ(error(two, as(SitesInput::pdb)),
+              "2:77: no van der Waals radius is known of 'PU'; give one, as in --radius Pu=2.1, or "
+              "radii of all atoms in a PQR file");
 }
 
 TEST(PdbSites, TakeNoElementForAnother) {
@@ -360,17 +450,17 @@ TEST(PdbSites, TakeNoElementForAnother) {
             "HETATM    1 {:4} OS  A   1       1.000   2.000   3.000  1.00  0.00{:>12}\n", name,
             element);
     };
-    const auto refused = [](std::size_t column, std::string_view shown) {
+    const auto refused = [](std::size_t column, std::string_view shown, std::string_view element) {
         return fmt::format(
-            "1:{}: no van der Waals radius is known of '{}'; name an element in "
-            "columns 77 and 78, or give radii in a PQR file",
-            column, shown);
+            "1:{}: no van der Waals radius is known of '{}'; give one, as in --radius {}=2.1, or "
+            "radii of all atoms in a PQR file",
+            column, shown, element);
     };
-    // Osmium is no oxygen, iridium no iodine.
-    EXPECT_EQ(error(of("OS", "OS"), as(SitesInput::pdb)), refused(77, "OS"));
-    EXPECT_EQ(error(of(" O", "IR"), as(SitesInput::pdb)), refused(77, "IR"));
-    EXPECT_EQ(error(of("OS", ""), as(SitesInput::pdb)), refused(13, "OS"));
-    EXPECT_EQ(error(of("IR", ""), as(SitesInput::pdb)), refused(13, "IR"));
+    // Plutonium is no phosphorus, fermium no fluorine.
+    EXPECT_EQ(error(of("PU", "PU"), as(SitesInput::pdb)), refused(77, "PU", "Pu"));
+    EXPECT_EQ(error(of(" O", "FM"), as(SitesInput::pdb)), refused(77, "FM", "Fm"));
+    EXPECT_EQ(error(of("PU", ""), as(SitesInput::pdb)), refused(13, "PU", "Pu"));
+    EXPECT_EQ(error(of("FM", ""), as(SitesInput::pdb)), refused(13, "FM", "Fm"));
     // Two letters that are no element begin with one.
     EXPECT_EQ(read(of("OXT", ""), as(SitesInput::pdb)).in_space, (Sites{{1, 2, 3, 1.52}}));
 }
@@ -451,11 +541,11 @@ TEST(PlySites, ReadVertices) {
         return error(contents, as(SitesInput::ply));
     };
     const std::string advice =
-        "; a PLY file begins with ply, format ascii 1.0, and element vertex with properties x, y "
-        "and z";
+        "; a PLY file begins with ply, format ascii 1.0 or a binary one, and element vertex with "
+        "properties x, y and z";
     EXPECT_EQ(wrong("1 2 3\n"), "1:1: this is no PLY file" + advice);
-    EXPECT_EQ(wrong("ply\nformat binary_little_endian 1.0\n"),
-              "2:8: a PLY file is read in ASCII alone; save it as format ascii 1.0");
+    EXPECT_EQ(wrong("ply\nformat binary 1.0\n"),
+              "2:8: a format is ascii, binary_little_endian or binary_big_endian");
     EXPECT_EQ(wrong("ply\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
                     "end_header\n1 2 3\n"),
               "6:1: the header has no line format ascii 1.0" + advice);
@@ -495,6 +585,230 @@ TEST(PlySites, ReadVertices) {
               "1004:1: more than 1000 elements; leave some out");
     EXPECT_EQ(wrong(head + "element vertex 1\nproperty doubel x\n"),
               "5:10: 'doubel' is no type of PLY's; for a number give double");
+}
+
+/// The bytes of a number, the least first, or the other way round.
+template <class T>
+std::string bytes_of(T value, bool is_big) {
+    std::string bytes(sizeof(T), '\0');
+    std::memcpy(bytes.data(), &value, sizeof(T));
+    if (is_big) std::ranges::reverse(bytes);
+    return bytes;
+}
+
+TEST(PlySites, ReadBytes) {
+    for (const bool is_big : {false, true}) {
+        const std::string head = fmt::format(
+            "ply\nformat binary_{}_endian 1.0\nelement vertex 3\nproperty uchar red\nproperty float "
+            "z\nproperty double x\nproperty short y\nproperty int radius\nelement face 1\nproperty "
+            "list uchar int vertex_indices\nend_header\n",
+            is_big ? "big" : "little");
+        std::string body;
+        Sites expected;
+        for (int i = 0; i < 3; ++i) {
+            body += '\n' + bytes_of(0.1F * static_cast<float>(i), is_big) + bytes_of(0.1 * i, is_big) +
+                    bytes_of(static_cast<std::int16_t>(-300 * i), is_big) + bytes_of(70'000 * i, is_big);
+            expected.push_back({0.1 * i, -300.0 * i, 0.1F * static_cast<float>(i), 70'000.0 * i});
+        }
+        const std::string face = '\3' + std::string(12, '\0');
+        EXPECT_EQ(read(head + body + face, as(SitesInput::ply)).in_space, expected);
+        EXPECT_EQ(error(head + body.substr(0, body.size() - 1), as(SitesInput::ply)),
+                  " the file ends after 2 of 3 vertices");
+        std::string infinite = body;
+        infinite.replace(5, 8, bytes_of(HUGE_VAL, is_big));
+        EXPECT_EQ(error(head + infinite, as(SitesInput::ply)),
+                  " vertex 0: a coordinate that is not finite; write a finite one");
+    }
+    EXPECT_EQ(error("ply\nformat binary_little_endian 1.0\nelement face 1\nelement vertex 1\nproperty "
+                    "float x\nproperty float y\nproperty float z\nend_header\n",
+                    as(SitesInput::ply))
+                  .substr(0, 61),
+              "8:1: in binary files the vertices are to come first, and face");
+}
+
+TEST(OffSites, AreVertices) {
+    EXPECT_EQ(read("OFF\n2 1 0 # of a part\n\n0 0 1\n1 2 3 255 0 0\n3 0 1 1\n", as(SitesInput::off)).in_space,
+              (Sites{{0, 0, 1, 0}, {1, 2, 3, 0}}));
+    EXPECT_EQ(read("OFF 1 0 0\n1 2 3\n", as(SitesInput::off)).in_space, (Sites{{1, 2, 3, 0}}));
+    const auto wrong = [](std::string_view contents) {
+        return error(contents, as(SitesInput::off));
+    };
+    const std::string advice =
+        "; an OFF file is OFF, the numbers of vertices, faces and edges, and a line x y z for each "
+        "vertex";
+    EXPECT_EQ(wrong("4OFF\n"), "1:1: this is no OFF file" + advice);
+    EXPECT_EQ(wrong("OFF\ntwo\n"), "2:1: the number of vertices is to stand here");
+    EXPECT_EQ(wrong("OFF\n2 0 0\n1 2 3\n"), "3:1: the file ends after 1 of 2 vertices" + advice);
+    EXPECT_EQ(wrong("OFF\n1 0 0\n1 2\n"), "3:4: a vertex is a line x y z");
+    EXPECT_EQ(wrong("OFF\n1 0 0\n1 2 z\n"), "3:5: 'z'" + word);
+    EXPECT_EQ(wrong("OFF\n0 0 0\n"), "2:1: no vertex in this file" + advice);
+}
+
+TEST(GroSites, AreInNanometres) {
+    const std::string frame =
+        "Two waters\n2\n    1SOL     OW    1   0.500   1.500   1.600\n    1SOL    HW1    2   0.525   "
+        "1.400  -1.612\n   2.0 2.0 2.0\n";
+    const SitesFile file = read(frame, as(SitesInput::gro));
+    EXPECT_EQ(file.in_space, (Sites{{0.5, 1.5, 1.6, 1.52 * 0.1}, {0.525, 1.4, -1.612, 1.2 * 0.1}}));
+    expect_note(file,
+                "f: 2 atoms name no element, and are taken by name and residue for one: 1 H, 1 O; "
+                "lengths, radii among them, are nanometres; the periodic box is left out, and the "
+                "atoms are in all of space");
+    // Of two frames, the last with more digits, which are all read.
+    const std::string precise =
+        "t= 1\n1\n    1NA      NA    1   0.50001   1.50002   1.60003  0.1  0.2  0.3\n 2 2 2\n";
+    EXPECT_EQ(read(frame + precise, as(SitesInput::gro)).in_space,
+              (Sites{{0.50001, 1.50002, 1.60003, 2.27 * 0.1}}));
+    const auto wrong = [](std::string_view contents) {
+        return error(contents, as(SitesInput::gro));
+    };
+    EXPECT_EQ(wrong("t\n1\n    1NA      NA    1   0.500   1.5x0   1.600\n"), "3:32: '1.5x0'" + word);
+    EXPECT_EQ(wrong("t\nO 1\n"), "2:1: the number of atoms stands alone in the second line");
+    EXPECT_EQ(wrong("t\n1\n    1NA      NA    1\n").substr(0, 20), "3:21: an atom withou");
+}
+
+TEST(LammpsSites, ArePlacedInTheirBox) {
+    const auto dump = [](std::string_view bounds, std::string_view columns, std::string_view atoms) {
+        return fmt::format("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS {}ITEM: ATOMS "
+                           "{}\n{}",
+                           bounds, columns, atoms);
+    };
+    const std::string box = "pp pp pp\n-1 3\n0 2\n10 20\n";
+    const auto sites = [](const std::string& text) {
+        return read(text, as(SitesInput::lammpstrj)).in_space;
+    };
+    EXPECT_EQ(sites(dump(box, "id type x y z radius", "2 1 1 2 3 0.5\n1 1 4 5 6 0.25\n")),
+              (Sites{{1, 2, 3, 0.5}, {4, 5, 6, 0.25}}));
+    EXPECT_EQ(sites(dump(box, "zu xu yu element", "3 1 2 O\n6 4 5 H\n")),
+              (Sites{{1, 2, 3, 1.52}, {4, 5, 6, 1.2}}));
+    EXPECT_EQ(sites(dump(box, "id xs ys zs", "1 0.5 0.25 0.5\n2 0 1 1\n")),
+              (Sites{{1, 0.5, 15, 0}, {-1, 2, 20, 0}}));
+    // A cell of vectors (4 0 0), (1 2 0) and (-0.5 0.25 10) from (-1, 0, 10).
+    const std::string tilted = "xy xz yz pp pp pp\n-1.5 4 1\n0 2.25 -0.5\n10 20 0.25\n";
+    EXPECT_EQ(sites(dump(tilted, "id xs ys zs", "1 0.5 0.5 0.5\n2 1 1 1\n")),
+              (Sites{{1.25, 1.125, 15, 0}, {3.5, 2.25, 20, 0}}));
+    const std::string first = dump(box, "id x y z", "1 9 9 9\n2 8 8 8\n");
+    const SitesFile frames =
+        read(first + dump(box, "id x y z", "1 1 2 3\n2 4 5 6\n"), as(SitesInput::lammpstrj));
+    EXPECT_EQ(frames.in_space, (Sites{{1, 2, 3, 0}, {4, 5, 6, 0}}));
+    expect_note(frames,
+                "f: of 2 frames the last one is read; no atom has a radius, and all radii are 0; the "
+                "box is left out, and the atoms are in all of space");
+    const auto wrong = [](std::string_view contents) {
+        return error(contents, as(SitesInput::lammpstrj));
+    };
+    EXPECT_EQ(wrong("1 2 3\n"), "1:1: a line ITEM: ... is to stand here");
+    EXPECT_EQ(wrong(dump(box, "id vx vy vz", "1 1 2 3\n2 4 5 6\n")),
+              "9:13: the atoms have no columns x y z, xu yu zu, xs ys zs or xsu ysu zsu");
+    EXPECT_EQ(wrong(dump(box, "id x y z", "1 1 2\n2 4 5 6\n")),
+              "10:6: 3 columns, but ITEM: ATOMS names 4");
+    EXPECT_EQ(wrong(dump(box, "id x y z", "1 1 2 3\n")).substr(0, 42),
+              "10:1: the file ends after 1 of 2 atoms; a ");
+    EXPECT_EQ(wrong(dump(box, "id x y z", "1 1 2 3\n1 1 2 nan\n")),
+              "11:7: 'nan' is not a finite number; write a finite one");
+}
+
+TEST(CifSites, AreAtoms) {
+    const std::string head =
+        "data_1ABC\n#\nloop_\n_atom_site.id\n_atom_site.type_symbol\n_atom_site.label_atom_id\n"
+        "_atom_site.label_comp_id\n_atom_site.label_alt_id\n_atom_site.auth_asym_id\n"
+        "_atom_site.auth_seq_id\n_atom_site.Cartn_z\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+        "_atom_site.pdbx_PDB_model_num\n";
+    const SitesFile file = read(head +
+                                    "1 N N SER . A 1 3.1 1.1 2.1(5) 1\n2 C CB SER B A 1 3 1 2 1\n"
+                                    "3 C CB THR A A 1 4 1 2 1\n4 ? 'OG' SER B A 1 5 1 2 1\n"
+                                    "5 N N SER . A 1 3 1 2 2\n",
+                                as(SitesInput::cif));
+    EXPECT_EQ(file.in_space, (Sites{{1.1, 2.1, 3.1, 1.55}, {1, 2, 3, 1.7}, {1, 2, 5, 1.52}}));
+    EXPECT_EQ(file.third, WeightIs::radius);
+    expect_note(file,
+                "f: 1 alternate place of atoms left out; 1 atom of models after the first one left "
+                "out; 1 atom names no element, and is taken by name and residue for one: 1 O");
+    const auto wrong = [](std::string_view contents) {
+        return error(contents, as(SitesInput::cif));
+    };
+    EXPECT_EQ(wrong(head + "7 N N SER . A 1 3.1 ? 2.1 1\n"), " atom 7: Cartn_x: no number");
+    EXPECT_EQ(wrong(head + "7 N N SER . A 1 3.1 1.x 2.1 1\n"), " atom 7: Cartn_x: '1.x'" + word);
+    EXPECT_EQ(wrong(head + "7 Pu N SER . A 1 3.1 1 2.1 1\n"),
+              " atom 7: no van der Waals radius is known of 'Pu'; give one, as in --radius Pu=2.1, or "
+              "radii of all atoms in a PQR file");
+    EXPECT_TRUE(wrong("data_x\nloop_\n_a\n_b\n1 2 3\n").ends_with("; this is no CIF"));
+    EXPECT_EQ(wrong("data_x\n_a 1\n"),
+              " no atom in this file: no loop with _atom_site.Cartn_x, as mmCIF has it");
+    EXPECT_NE(wrong("data_x\nloop_\n_atom_site_fract_x\n0.5\n").find("fractions"), std::string::npos);
+}
+
+TEST(GeoJsonSites, ArePoints) {
+    const std::string features =
+        "{\"type\": \"FeatureCollection\", \"features\": [\n"
+        "{\"type\": \"Feature\", \"properties\": {\"name\": \"a\", \"r\": 2, \"n\": 7}, "
+        "\"geometry\": {\"type\": \"Point\", \"coordinates\": [1.5, 2]}},\n"
+        "{\"geometry\": {\"coordinates\": [[3, 4, 9], [5, 6, 8]], \"type\": \"MultiPoint\"}, "
+        "\"properties\": {\"more\": {\"r\": [1, {}]}, \"n\": null, \"name\": \"b\"}, \"type\": "
+        "\"Feature\"},\n"
+        "{\"type\": \"Feature\", \"properties\": null, \"geometry\": null}]}";
+    const SitesFile file = read(features, {.attributes = true});
+    EXPECT_EQ(file.sites, (std::vector<Site>{{1.5, 2, 2}, {3, 4, 0}, {5, 6, 0}}));
+    EXPECT_TRUE(file.are_degrees);
+    EXPECT_EQ(file.attributes, (std::vector<Attribute>{{"name", {"a", "b", "b"}, false},
+                                                       {"n", {"7", "", ""}, true}}));
+    expect_note(file,
+                "f: longitude is x and latitude is y, degrees that are taken for a plane's; heights "
+                "are left out (2 of 3 points); --dimension 3 takes them for z; 1 feature that has no "
+                "point is left out");
+    EXPECT_EQ(read("{\"type\": \"Point\", \"coordinates\": [1, 2, 3]}", in_space).in_space,
+              (Sites{{1, 2, 3, 0}}));
+    const SitesFile projected =
+        read("{\"crs\": {\"type\": \"name\"}, \"type\": \"GeometryCollection\", \"geometries\": "
+             "[{\"type\": \"Point\", \"bbox\": [1], \"coordinates\": [1e5, 2e5]}]}");
+    EXPECT_EQ(projected.sites, (std::vector<Site>{{1e5, 2e5, 0}}));
+    EXPECT_FALSE(projected.are_degrees);
+    const std::string advice =
+        "; of GeoJSON points are read, such as {\"type\": \"Point\", \"coordinates\": [x, y]}, "
+        "alone, in features or in a collection";
+    EXPECT_EQ(error("{\"type\": \"LineString\",\n \"coordinates\": [[1, 2], [3, 4]]}"),
+              "1:1: a LineString is no point" + advice);
+    EXPECT_EQ(error("{\"type\": \"Point\",\n \"coordinates\": [1]}"),
+              "2:17: a point of less than 2 coordinates" + advice);
+    EXPECT_EQ(error("{\"type\": \"Point\",\n \"coordinates\": [1, \"2\"]}"),
+              "2:21: coordinates are numbers" + advice);
+    EXPECT_EQ(error("{\"type\": \"Point\", \"coordinates\": [[1, 2]]}"),
+              "1:1: coordinates of another shape than those of points" + advice);
+    EXPECT_EQ(error("{\"type\": \"Point\", \"coordinates\": [1, 1e999]}").substr(0, 5), "1:38:");
+    EXPECT_EQ(error("{\"type\": \"FeatureCollection\", \"features\": []}"),
+              "1:1: no point in this file" + advice);
+}
+
+TEST(SitesFiles, MayBeCompressedByGzip) {
+    // printf 'x y r\n1 2 3\n' | gzip -n, and the same of '4 5 6\n'.
+    using namespace std::string_literals;
+    const auto gzip = [](const std::string& text) {
+        std::string packed(text.size() + 100, '\0');
+        z_stream stream = {};
+        constexpr int gzip_alone = 16 + MAX_WBITS;
+        EXPECT_EQ(deflateInit2(&stream, 9, Z_DEFLATED, gzip_alone, 8, Z_DEFAULT_STRATEGY), Z_OK);
+        std::string copy = text;
+        stream.next_in = reinterpret_cast<Bytef*>(copy.data());
+        stream.avail_in = static_cast<uInt>(copy.size());
+        stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+        stream.avail_out = static_cast<uInt>(packed.size());
+        EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+        packed.resize(packed.size() - stream.avail_out);
+        deflateEnd(&stream);
+        return packed;
+    };
+    const std::string first = gzip("x y r\n1 2 3\n");
+    EXPECT_EQ(read(first + gzip("4 5 6\n")).sites, (std::vector<Site>{{1, 2, 3}, {4, 5, 6}}));
+    std::string lines;
+    for (int i = 0; i < 300'000; ++i) lines += fmt::format("{} {}\n", i, i % 1000);
+    EXPECT_EQ(read(gzip(lines)).sites.size(), 300'000U);
+    EXPECT_EQ(error(gzip(lines + "1 two\n")), "300001:3: 'two'" + word);
+    EXPECT_EQ(error(first.substr(0, first.size() - 9)), " this is compressed by gzip, and ends before its end");
+    EXPECT_EQ(error(first + "xy").substr(0, 40), " this is compressed by gzip, and damaged");
+    std::string damaged = first;
+    damaged[damaged.size() - 6] ^= 1;
+    EXPECT_EQ(error(damaged).substr(0, 40), " this is compressed by gzip, and damaged");
+    EXPECT_EQ(error(gzip("1 2\n\0"s)).substr(0, 4), "2:1:");
 }
 
 TEST(SitesInput, IsToldByTheEnding) {

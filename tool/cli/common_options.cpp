@@ -128,7 +128,7 @@ CLI::Option* add_text(CLI::App& command, TextCall& call) {
                      "Passes over lines where a number is empty, NA, NaN,\nnull or none");
     command
         .add_option("--radius", call.radii,
-                    "Of an element of a molecule, in Ångström, in place\nof the one that is known; as "
+                    "Of an element of a molecule, in Angstrom, in place\nof the one that is known; as "
                     "often as need be")
         ->allow_extra_args(false)
         ->type_name("EL=R");

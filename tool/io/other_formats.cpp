@@ -79,8 +79,10 @@ std::string other_format(std::string_view beginning) {
     for (std::size_t begin = 0; begin < beginning.size() && lines.size() < most_lines;) {
         const std::size_t end = std::min(beginning.find('\n', begin), beginning.size());
         const std::string_view line = beginning.substr(begin, end - begin);
-        if (!lines.empty() || line.find_first_not_of(" \t\r") != std::string_view::npos)
-            lines.push_back(line);
+        const std::size_t text = line.find_first_not_of(" \t\r");
+        const bool is_comment = text != std::string_view::npos && line[text] == '#' &&
+                                !line.substr(text).starts_with(formats.front().mark);
+        if (!is_comment && (!lines.empty() || text != std::string_view::npos)) lines.push_back(line);
         begin = end + 1;
     }
     if (lines.empty()) return {};
@@ -99,7 +101,7 @@ std::string other_format(std::string_view beginning) {
         const char next = first.size() > format.mark.size() ? first[format.mark.size()] : ' ';
         const bool is_word = std::isalnum(static_cast<unsigned char>(format.mark.back())) == 0 ||
                              format.mark.ends_with('_') || next == ' ' || next == '\r' || next == '(';
-        const bool is_alone = format.mark.size() > 4 || format.mark == "%PDF" ||
+        const bool is_alone = format.mark.size() > 5 || format.mark == "%PDF" ||
                               first.find_first_of(",;\t") == std::string_view::npos;
         if (is_word && is_alone) return message(format);
     }
