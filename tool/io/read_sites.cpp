@@ -30,7 +30,7 @@ constexpr std::array kinds = {
     SitesInputKind{SitesInput::gro, "gro", "", "atoms of GROMACS, in nanometres", true,
                    Contents::text, read_gro_sites},
     SitesInputKind{SitesInput::lammpstrj, "lammpstrj", "dump", "a dump of LAMMPS", true,
-                   Contents::text, read_lammps_sites},
+                   Contents::text, read_lammpstrj_sites},
     SitesInputKind{SitesInput::pdb, "pdb", "ent",
                    "atoms of a protein, with the van der Waals\nradii of their elements", true,
                    Contents::text, read_pdb_sites},

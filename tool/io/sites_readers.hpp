@@ -40,7 +40,7 @@ namespace signum {
 
 /// The last frame of a dump of LAMMPS, in the order of its lines: x y z, xu yu zu, or the same scaled
 /// to the box, which are rounded; radius, else that of the element, else 0.
-[[nodiscard]] SitesFile read_lammps_sites(InputFile& file, const ReadOptions& options);
+[[nodiscard]] SitesFile read_lammpstrj_sites(InputFile& file, const ReadOptions& options);
 
 /// The records ATOM and HETATM of the Protein Data Bank, each with the radius that the options give
 /// its element, else with its van der Waals radius (io/elements.hpp); an element without one is an

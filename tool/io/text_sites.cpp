@@ -15,8 +15,8 @@
 #include <fmt/format.h>
 
 #include "coordinate_names.hpp"
+#include "foreign_sites.hpp"
 #include "number.hpp"
-#include "other_formats.hpp"
 #include "plain_lines.hpp"
 #include "sites_readers.hpp"
 #include "text_columns.hpp"

@@ -1,4 +1,4 @@
-#include "other_formats.hpp"
+#include "foreign_sites.hpp"
 
 #include <algorithm>
 #include <array>

@@ -167,7 +167,7 @@ class DumpSites {
 
 }  // namespace
 
-SitesFile read_lammps_sites(InputFile& file, const ReadOptions& options) {
+SitesFile read_lammpstrj_sites(InputFile& file, const ReadOptions& options) {
     return DumpSites(file, options).read();
 }
 
