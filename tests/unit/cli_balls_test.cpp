@@ -84,7 +84,9 @@ TEST_F(ToolOfBalls, ReadsWhateverSaysTheSame) {
     same("a.txt", "0 0 0 1\n4 0 0 1\n0 4 0 1\n0 0 4 1\n1 1 1 0.5\n", {"--dimension", "3"});
     same("b.csv", "r;n;z;y;x\n1;a;0;0;0\n1;b;0;0;4\n1;c;0;4;0\n1;d;4;0;0\n0.5;e;1;1;1\n", {});
     same("c.json", "[[0,0,0,1],[4,0,0,1],[0,4,0,1],[0,0,4,1],[1,1,1,0.5]]", {});
-    const std::string atoms = "5\nProperties=species:S:1:pos:R:3:radius:R:1\nA 0 0 0 1\nA 4 0 0 1\nA 0 4 0 1\nA 0 0 4 1\nA 1 1 1 0.5\n";
+    const std::string atoms =
+        "5\nProperties=species:S:1:pos:R:3:radius:R:1\nA 0 0 0 1\nA 4 0 0 1\nA 0 4 0 1\nA 0 0 4 "
+        "1\nA 1 1 1 0.5\n";
     same("d.xyz", atoms, {});
     same("d.data", atoms, {"--read-as", "xyz"});
     // Only differences of radii matter, but to the spheres.

@@ -76,7 +76,8 @@ TEST_F(ToolInSpace, ReadsWhateverSaysTheSame) {
     same("b.csv", permuted, {"--columns", "5,4,3,1"});
     same("c.json", "[[0,0,0,1],[4,0,0,1],[0,4,0,1],[0,0,4,1],\n[1,1,1,0.5],[1,1,1,0.25]]", {});
     const std::string atoms =
-        "6\nProperties=species:S:1:pos:R:3:radius:R:1\nA 0 0 0 1\nA 4 0 0 1\nA 0 4 0 1\nA 0 0 4 1\nA 1 1 1 0.5\nA 1 1 1 0.25\n";
+        "6\nProperties=species:S:1:pos:R:3:radius:R:1\nA 0 0 0 1\nA 4 0 0 1\nA 0 4 0 1\nA 0 0 4 "
+        "1\nA 1 1 1 0.5\nA 1 1 1 0.25\n";
     same("d.xyz", atoms, {});
     same("d.data", atoms, {"--read-as", "xyz"});
     same("e.ply",
@@ -456,8 +457,10 @@ TEST_F(ToolInSpace, Validates) {
     EXPECT_EQ(good.err, "");
     EXPECT_EQ(run({"validate", "-", balls}, {.in = json}).out, "valid, canonical\n");
     EXPECT_EQ(run({"validate", json, "-"}, {.in = balls}).out, "valid, canonical\n");
-    const std::string atoms = scratch.file(
-        "a.data", "6\nProperties=species:S:1:pos:R:3:radius:R:1\nA 0 0 0 1\nA 4 0 0 1\nA 0 4 0 1\nA 0 0 4 1\nA 1 1 1 .5\nA 1 1 1 .25\n");
+    const std::string atoms =
+        scratch.file("a.data",
+                     "6\nProperties=species:S:1:pos:R:3:radius:R:1\nA 0 0 0 1\nA 4 0 0 1\nA 0 4 0 "
+                     "1\nA 0 0 4 1\nA 1 1 1 .5\nA 1 1 1 .25\n");
     EXPECT_EQ(run({"validate", json, atoms, "--read-as", "xyz"}).out, "valid, canonical\n");
 
     using Change = std::pair<std::string, std::string>;

@@ -34,7 +34,8 @@ using Words = test::Words;
 class Tool : public testing::Test {
  protected:
     Scratch scratch;
-    std::string sites = scratch.file("sites.txt", "x y r\n0 0 1\n4 0 1\n0 4 1\n1 1 0.5\n1 1 0.25\n");
+    std::string sites =
+        scratch.file("sites.txt", "x y r\n0 0 1\n4 0 1\n0 4 1\n1 1 0.5\n1 1 0.25\n");
 
     [[nodiscard]] Words triangulate(const Words& more) const {
         Words words = {"triangulate", sites, "--metric", "power"};
@@ -253,9 +254,8 @@ TEST_F(Tool, ComparesAndSaysWhetherExactnessIsNeeded) {
     const std::string circle = scratch.path("circle.txt");
     ASSERT_EQ(run({"generate", "circle", "-n", "300", "-o", circle}).code, 0);
     const std::string picture = scratch.path("wrong.svg");
-    const Outcome table =
-        run({"compare", circle, "--dimension", "2", "--metric", "power", "--seconds", "0", "--quiet",
-             "-o", picture});
+    const Outcome table = run({"compare", circle, "--dimension", "2", "--metric", "power",
+                               "--seconds", "0", "--quiet", "-o", picture});
     EXPECT_EQ(table.code, 0);
     EXPECT_EQ(table.err, "");
     EXPECT_NE(table.out.find("\nwrong "), std::string::npos) << table.out;
@@ -433,8 +433,7 @@ TEST_F(Tool, TakesTheColumnsThatAreNamed) {
     const Outcome left_out = run({"triangulate", third, "--quiet"});
     EXPECT_EQ(left_out.code, 0);
     EXPECT_EQ(left_out.out, expected.out);
-    EXPECT_TRUE(left_out.err.starts_with("signum: " + third +
-                                         ":1: 'h' is left out: "))
+    EXPECT_TRUE(left_out.err.starts_with("signum: " + third + ":1: 'h' is left out: "))
         << left_out.err;
     // One called z says that sites lie in space, unless the call says that they do not.
     const std::string heights = scratch.file("z.csv", "x,y,z\n0,0,5\n4,0,5\n0,4,5\n1,1,5\n");
@@ -443,9 +442,8 @@ TEST_F(Tool, TakesTheColumnsThatAreNamed) {
         const Outcome flat = run(words);
         EXPECT_EQ(flat.code, 0);
         EXPECT_EQ(flat.out, run({words[0], plain, "--quiet"}).out);
-        EXPECT_TRUE(flat.err.starts_with(
-            "signum: " + heights +
-            ":1: 'z' is left out: sites lie in the plane here. "))
+        EXPECT_TRUE(flat.err.starts_with("signum: " + heights +
+                                         ":1: 'z' is left out: sites lie in the plane here. "))
             << flat.err;
     }
 }
@@ -653,8 +651,8 @@ TEST_F(Tool, WritesNothingThatFailsItsCheck) {
     const std::string json = scratch.file("a.json", "old");
     const std::size_t before = scratch.size();
     for (const char* metric : {"power", "euclidean"}) {
-        Words words = {"triangulate",  input,    "--dimension", "2", "--metric", metric,
-                       "--arithmetic", "single", "--check"};
+        Words words = {"triangulate", input,          "--dimension", "2",      "--metric",
+                       metric,        "--arithmetic", "single",      "--check"};
         const Outcome printed = run(words);
         EXPECT_EQ(printed.code, 1) << printed.err;
         EXPECT_EQ(printed.out, "");
@@ -727,8 +725,8 @@ TEST_P(ToolInMetric, WritesEveryFormat) {
     const std::string svg = scratch.path("a.svg");
     const std::string csv = scratch.path("a.csv");
     const std::string obj = scratch.path("a.obj");
-    const Outcome outcome = run({"triangulate", input, "--dimension", "2", "--metric", metric, "-o", json, "-o", svg,
-                                 "-o", csv, "-o", obj, "--stats"});
+    const Outcome outcome = run({"triangulate", input, "--dimension", "2", "--metric", metric, "-o",
+                                 json, "-o", svg, "-o", csv, "-o", obj, "--stats"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_TRUE(outcome.err.starts_with("sites    300\nvisible  ")) << outcome.err;
     EXPECT_NE(outcome.err.find("decided  "), std::string::npos);
@@ -1042,9 +1040,10 @@ TEST_F(Tool, AnswersAQuestionALine) {
               "standard input:8:1: sign ccw needs 6 numbers, x y of each of three points; 3 are "
               "given\n");
     EXPECT_EQ(mixed.code, 2);
-    EXPECT_EQ(run({"sign", "-", "--metric", "power"}, from_questions).err,
-              "standard input:2:1: sign orient2d: it asks of points; leave --metric, --weight-is and "
-              "--dimension out\n");
+    EXPECT_EQ(
+        run({"sign", "-", "--metric", "power"}, from_questions).err,
+        "standard input:2:1: sign orient2d: it asks of points; leave --metric, --weight-is and "
+        "--dimension out\n");
 
     from_questions.in = scratch.file("lines.txt", "0 0 1 1 2 2\n0 0 1 1 3 2\n");
     const Outcome alike = run({"sign", "ccw", "-", "--json", "--explain"}, from_questions);

@@ -72,9 +72,9 @@ TEST(Number, RefusesInfinityAndNaN) {
 
 TEST(Number, RefusesEverythingElse) {
     for (const char* text :
-         {"",    "+",    "-",     ".",     "e5",    "1e",  "1e+", "1x",         "x",
-          "1,5", "1 ",   " 1",    "--1",   "+-1",   "-+1", "0x",  "0x1.8p+-02", "0x-1",
-          "0xg", "0x1p", "0xinf", "0x0x1", "1.2.3", "1f"}) {
+         {"",           "+",    "-",   ".",    "e5",    "1e",    "1e+",   "1x",
+          "x",          "1,5",  "1 ",  " 1",   "--1",   "+-1",   "-+1",   "0x",
+          "0x1.8p+-02", "0x-1", "0xg", "0x1p", "0xinf", "0x0x1", "1.2.3", "1f"}) {
         EXPECT_EQ(parse_number(text).fault, NumberFault::word) << text;
     }
 }

@@ -112,15 +112,15 @@ TEST(TextSites, ReadsPlainLinesAsAnyOther) {
                         one_of(is_odd || random() % 300 == 0 ? odd : numbers);
             lines.push_back(text + one_of({"", "", "", "", " "}));
         }
-        const std::string end =
-            separator.find_first_of(",;") == std::string::npos ? "#\n" : "\t\n";
+        const std::string end = separator.find_first_of(",;") == std::string::npos ? "#\n" : "\t\n";
         std::string plain = head;
         std::string commented = head;
         for (const std::string& line : lines) {
             plain += line + '\n';
             // Behind a mark the tab would move the empty column.
             const std::size_t last = line.find_last_not_of(" \t");
-            const bool is_open = last != std::string::npos && (line[last] == ',' || line[last] == ';');
+            const bool is_open =
+                last != std::string::npos && (line[last] == ',' || line[last] == ';');
             commented += line + (is_open ? "\n" : end);
         }
         ASSERT_EQ(outcome(scratch, plain, dimension), outcome(scratch, commented, dimension))
@@ -251,12 +251,12 @@ TEST(TextSites, KnowsTheNamesThatProgramsGiveCoordinates) {
         {"Unnamed: 0,u,v", {2, 3, 0}},
     };
     for (const Header& header : headers) {
-        const char separator = std::string_view(header.names).find('\t') != std::string_view::npos ? '\t'
-                               : std::string_view(header.names).find(';') != std::string_view::npos ? ';'
-                               : std::string_view(header.names).find(',') != std::string_view::npos ? ','
-                                                                                                  : ' ';
-        const SitesFile file =
-            read(header.names + "\n1"s + separator + "2" + separator + "3\n");
+        const char separator =
+            std::string_view(header.names).find('\t') != std::string_view::npos  ? '\t'
+            : std::string_view(header.names).find(';') != std::string_view::npos ? ';'
+            : std::string_view(header.names).find(',') != std::string_view::npos ? ','
+                                                                                 : ' ';
+        const SitesFile file = read(header.names + "\n1"s + separator + "2" + separator + "3\n");
         EXPECT_EQ(file.sites, Sites{header.site}) << header.names;
         EXPECT_EQ(file.are_degrees, header.are_degrees) << header.names;
         EXPECT_NE(file.note.find(" is x and "), std::string::npos) << header.names;
@@ -357,16 +357,18 @@ TEST(TextSites, ReadsWhatTheCallSaysOfALine) {
     EXPECT_EQ(refused("x,y\n1,NA\n", {.dimension = 2}), "2:3: 'NA'" + word);
 }
 
-/// Whatever may have been meant by a # behind the start of a line: no column and no attribute is cut.
+/// Whatever may have been meant by a # behind the start of a line: no column and no attribute is
+/// cut.
 TEST(TextSites, BeginsAColumnWithTheMarkOfAComment) {
     EXPECT_EQ(read("# 0,x,y\nid#,x,y\n1,2,3\n# 4,5,6\n7,8,9\n").sites,
               (Sites{{2, 3, 0}, {8, 9, 0}}));
     EXPECT_EQ(read("Well #,Easting,Northing,Depth\n1,1000,2000,30\n").sites,
               (Sites{{1000, 2000, 0}}));
     EXPECT_EQ(read("x,y,color\n1,2,#ff0000\n3,4,#00ff00\n").sites, (Sites{{1, 2, 0}, {3, 4, 0}}));
-    EXPECT_EQ(error("1,2 # three\n"),
-              "1:5: where commas, semicolons or tabs separate, a comment begins at the start of its "
-              "line");
+    EXPECT_EQ(
+        error("1,2 # three\n"),
+        "1:5: where commas, semicolons or tabs separate, a comment begins at the start of its "
+        "line");
     const test::Scratch scratch;
     const SitesFile colors = read_sites(scratch.file("f", "x,y,color\n1,2,#ff0000\n"),
                                         {.dimension = 2, .attributes = true});
@@ -381,9 +383,10 @@ TEST(TextSites, NamesWhatANumberIsWrittenAs) {
                   "2:2: '"s + number + "' has separators of thousands; write the digits alone");
     }
     EXPECT_EQ(error("lat,lon\n52°31'12\"N\",1\n").substr(0, 4), "2:1:");
-    EXPECT_EQ(error("x y\n52°31'12N 13°24'E\n"),
-              "2:1: '52°31'12N' is in degrees, minutes and seconds, which are not read; write degrees "
-              "as a decimal fraction");
+    EXPECT_EQ(
+        error("x y\n52°31'12N 13°24'E\n"),
+        "2:1: '52°31'12N' is in degrees, minutes and seconds, which are not read; write degrees "
+        "as a decimal fraction");
 }
 
 TEST(TextSites, SaysWhereTheFirstNegativeThirdNumberStands) {
@@ -459,15 +462,15 @@ TEST(TextSites, RefusesCommasBesideBlanks) {
     EXPECT_EQ(error("1,5 2,5\n"), "1:5: commas" + one);
     EXPECT_EQ(error("1; 2 3\n"), "1:6: semicolons" + one);
     EXPECT_EQ(error("x y r\n1 2 3\n1,5 2\n"), "3:5: commas" + one);
-    EXPECT_EQ(read(" 1, 2 \n3 ,4\t, 5 \n8 , 9\n").sites,
-              (Sites{{1, 2, 0}, {3, 4, 5}, {8, 9, 0}}));
+    EXPECT_EQ(read(" 1, 2 \n3 ,4\t, 5 \n8 , 9\n").sites, (Sites{{1, 2, 0}, {3, 4, 5}, {8, 9, 0}}));
 }
 
 TEST(TextSites, RefusesHeadersThatLeaveADoubt) {
     const std::string choose = "; choose them with --columns, as in --columns 1,2";
     EXPECT_EQ(error("id,height,name,pop\n1,2,3,4\n"),
               "1:1: none of the columns 'id', 'height', 'name', 'pop' is called x or y" + choose);
-    EXPECT_EQ(error("x z\n1 2\n"), "1:1: the header does not name both x and y, but 'x', 'z'" + choose);
+    EXPECT_EQ(error("x z\n1 2\n"),
+              "1:1: the header does not name both x and y, but 'x', 'z'" + choose);
     EXPECT_EQ(error("name,lat,pop\n1,2,3\n"),
               "1:1: none of the columns 'name', 'lat', 'pop' is called x or y" + choose);
     EXPECT_EQ(error("x y x\n1 2 3\n"), "1:5: a second column x; name one");

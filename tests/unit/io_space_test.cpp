@@ -101,8 +101,7 @@ TEST(TextSitesInSpace, RefuseWhatIsWrong) {
     EXPECT_EQ(error("x y z r\n1 2 3 4\n1 2 three 4\n"), "3:5: 'three'" + word);
     EXPECT_EQ(error("x y z r\n1 2 3 nan\n"),
               "2:7: 'nan' is not a finite number; write a finite one");
-    EXPECT_EQ(error("x y z r\n1 2\n"),
-              "2:4: 2 columns, but the header names 4; write as many");
+    EXPECT_EQ(error("x y z r\n1 2\n"), "2:4: 2 columns, but the header names 4; write as many");
     EXPECT_EQ(error("x y z r\n1 2 3 4 5\n"),
               "2:9: 5 columns, but the header names 4; write as many");
     EXPECT_EQ(error("1 2\n", in_space),
@@ -144,7 +143,8 @@ TEST(TextSitesInSpace, AreMissedWhereNoColumnIsCalledZ) {
     const SitesFile alone = read("x_um,y_um,z_um\n1,2,3\n");
     EXPECT_EQ(alone.sites, (std::vector<Site>{{1, 2, 0}}));
     expect_note(alone,
-                "f:1: 'z_um' is left out: sites lie in space where it is called z. --dimension 3 --columns 1,2,3 takes it for z, --columns 1,2 "
+                "f:1: 'z_um' is left out: sites lie in space where it is called z. --dimension 3 "
+                "--columns 1,2,3 takes it for z, --columns 1,2 "
                 "leaves it out without a word");
     for (const char* name : {"pz", "pos.z", "Z [m]", "z1", "center_z"})
         EXPECT_NE(read(std::string("x,y,") + name + ",r\n1,2,3,4\n").note, "") << name;
@@ -154,9 +154,10 @@ TEST(TextSitesInSpace, AreMissedWhereNoColumnIsCalledZ) {
     EXPECT_EQ(error("a,b,c,d\n1,2,3,4\n"),
               "1:1: none of the columns 'a', 'b', 'c', 'd' is called x or y; choose them with "
               "--columns, as in --columns 1,2, or --columns 1,2,3,4 for x, y, z and r in space");
-    expect_note(read("x,y,zz,m\n1,2,3,4\n"),
-                "f:1: 'zz', 'm' are left out: sites lie in space where it is called z. --columns 1,2 "
-                "leaves them out without a word");
+    expect_note(
+        read("x,y,zz,m\n1,2,3,4\n"),
+        "f:1: 'zz', 'm' are left out: sites lie in space where it is called z. --columns 1,2 "
+        "leaves them out without a word");
 }
 
 TEST(Sites, SayWhichFormatIsNotRead) {
@@ -192,16 +193,16 @@ TEST(Sites, SayWhichFormatIsNotRead) {
     };
     for (const Beginning& each : beginnings)
         for (const ReadOptions& options : {ReadOptions(), in_space})
-            EXPECT_TRUE(error(each.text, options).starts_with("1:1: this is " + std::string(each.name) + ", which "))
+            EXPECT_TRUE(error(each.text, options)
+                            .starts_with("1:1: this is " + std::string(each.name) + ", which "))
                 << each.text << error(each.text, options);
     // Headers and sites that begin alike.
-    for (const char* text : {"POINT_X POINT_Y\n1 2\n", "OFFSET,x,y\n1,1,2\n", "2 1\n3 4\n5 6\n",
-                             "v,x,y\n1,1,2\n", "ply,x,y\n1,1,2\n", "solid,x,y\n1,1,2\n",
-                             "data_id,x,y\n1,1,2\n"})
+    for (const char* text :
+         {"POINT_X POINT_Y\n1 2\n", "OFFSET,x,y\n1,1,2\n", "2 1\n3 4\n5 6\n", "v,x,y\n1,1,2\n",
+          "ply,x,y\n1,1,2\n", "solid,x,y\n1,1,2\n", "data_id,x,y\n1,1,2\n"})
         EXPECT_GE(read(text).sites.size(), 1U) << text;
-    for (const auto& [mark, name] : std::map<std::string, std::string>{{"\xFD\x37zXZ", "xz"},
-                                                                       {"\x28\xB5\x2F\xFD", "zstd"},
-                                                                       {"PK\x03\x04", "zip"}}) {
+    for (const auto& [mark, name] : std::map<std::string, std::string>{
+             {"\xFD\x37zXZ", "xz"}, {"\x28\xB5\x2F\xFD", "zstd"}, {"PK\x03\x04", "zip"}}) {
         for (const SitesInput input : {SitesInput::text, SitesInput::pdb, SitesInput::ply})
             EXPECT_EQ(error(mark + std::string(3, '\0'), as(input)),
                       " this is compressed by " + name +
@@ -244,11 +245,12 @@ TEST(XyzSites, ReadAtoms) {
         read("3\nwater\nO 0 0 0 1.52\nH 0.96 0 0 1.2\nH -0.24 0.93 0\n\n", as(SitesInput::xyz));
     EXPECT_EQ(file.dimension, 3);
     EXPECT_EQ(file.in_space, (Sites{{0, 0, 0, 0}, {0.96, 0, 0, 0}, {-0.24, 0.93, 0, 0}}));
-    expect_note(file,
-                "f: no atom has a radius, and all radii are 0; a fifth word is no radius, for nothing "
-                "says so, and is left out (2 of 3 atoms); say it in the comment, as in "
-                "Properties=species:S:1:pos:R:3:radius:R:1, or with --read-as text --skip-lines 2 "
-                "--columns 2,3,4,5");
+    expect_note(
+        file,
+        "f: no atom has a radius, and all radii are 0; a fifth word is no radius, for nothing "
+        "says so, and is left out (2 of 3 atoms); say it in the comment, as in "
+        "Properties=species:S:1:pos:R:3:radius:R:1, or with --read-as text --skip-lines 2 "
+        "--columns 2,3,4,5");
     EXPECT_EQ(read("2\nwater\nO 0 0 0 1.52\nH 0.96 0 0 1.2\n",
                    {.columns = {"2", "3", "4", "5"}, .skipped_lines = 2})
                   .in_space,
@@ -337,9 +339,10 @@ TEST(PdbSites, ReadAtomsWithTheRadiiOfTheirElements) {
                                     {14, 7.7, -3, 2.31},
                                     {10, 3.7, -1, 2.44},
                                     {13.5, 7.7, -4.5, 1.2}}));
-    expect_note(file,
-                "f: 1 alternate place of atoms and 7 atoms of models after the first one are left "
-                "out; 3 atoms name no element, and are taken by name and residue for one: 1 Fe, 2 H");
+    expect_note(
+        file,
+        "f: 1 alternate place of atoms and 7 atoms of models after the first one are left "
+        "out; 3 atoms name no element, and are taken by name and residue for one: 1 Fe, 2 H");
 }
 
 TEST(PdbSites, KeepOneLetterOfAResidue) {
@@ -391,7 +394,8 @@ TEST(PdbSites, RefuseWhatIsWrong) {
               "2:42: 'six13'" + word);
     EXPECT_EQ(
         wrong("ATOM      1  X   UNK A   1      11.104   6.134  -6.504  1.00  0.00           X\n"),
-        "1:77: no van der Waals radius is known of 'X'; give one, as in --radius X=2.1, or radii of "
+        "1:77: no van der Waals radius is known of 'X'; give one, as in --radius X=2.1, or radii "
+        "of "
         "all atoms in a PQR file");
     // Digits of one number would be another's.
     EXPECT_EQ(wrong("ATOM  16118 CA   GLN D 1000      23.700 -28.100 -33.400  1.00\n"),
@@ -406,37 +410,65 @@ TEST(PdbSites, TakeElementsFromResiduesAndNames) {
         const char* residue;
         const char* element;
     };
-    const std::vector<Atom> atoms = {
-        // Ions of CHARMM, Amber and others, in whatever column.
-        {"SOD ", "SOD", "Na"}, {" SOD", "SOD", "Na"}, {"POT ", "POT", "K"}, {"CLA ", "CLA", "Cl"},
-        {"CAL ", "CAL", "Ca"}, {"CES ", "CES", "Cs"}, {"LIT ", "LIT", "Li"}, {" ZN ", "ZN2", "Zn"},
-        {"MG  ", " MG", "Mg"}, {"Na+ ", "Na+", "Na"}, {" K+ ", " K+", "K"}, {"Cl- ", "Cl-", "Cl"},
-        {"CIO ", "CIO", "Na"}, {" NA ", " NA", "Na"}, {" CL ", " CL", "Cl"}, {" U  ", "  U", "U"},
-        // Chlorophyll is no chloride.
-        {"MG  ", "CLA", "Mg"}, {" CHA", "CLA", "C"},
-        // Names that begin in column 13 all the same.
-        {"OG  ", "SER", "O"}, {"CA  ", "ALA", "C"}, {"CD  ", "GLU", "C"}, {"HG  ", "SER", "H"},
-        {"NE  ", "ARG", "N"}, {"SG  ", "CYS", "S"}, {"NH1 ", "ARG", "N"}, {"HO5'", " DA", "H"},
-        {"SE  ", "MSE", "Se"}, {"1HB ", "ALA", "H"}, {"OH2 ", "TIP", "O"}, {"P   ", " DG", "P"},
-        {" CA ", "GLY", "C"}, {"HE21", "GLN", "H"},
-        // Where the residue says nothing, the columns do.
-        {"FE  ", "HEM", "Fe"}, {" C1 ", "LIG", "C"}, {"CL1 ", "LIG", "Cl"}, {"C210", "LIG", "C"}};
+    const std::vector<Atom> atoms = {// Ions of CHARMM, Amber and others, in whatever column.
+                                     {"SOD ", "SOD", "Na"},
+                                     {" SOD", "SOD", "Na"},
+                                     {"POT ", "POT", "K"},
+                                     {"CLA ", "CLA", "Cl"},
+                                     {"CAL ", "CAL", "Ca"},
+                                     {"CES ", "CES", "Cs"},
+                                     {"LIT ", "LIT", "Li"},
+                                     {" ZN ", "ZN2", "Zn"},
+                                     {"MG  ", " MG", "Mg"},
+                                     {"Na+ ", "Na+", "Na"},
+                                     {" K+ ", " K+", "K"},
+                                     {"Cl- ", "Cl-", "Cl"},
+                                     {"CIO ", "CIO", "Na"},
+                                     {" NA ", " NA", "Na"},
+                                     {" CL ", " CL", "Cl"},
+                                     {" U  ", "  U", "U"},
+                                     // Chlorophyll is no chloride.
+                                     {"MG  ", "CLA", "Mg"},
+                                     {" CHA", "CLA", "C"},
+                                     // Names that begin in column 13 all the same.
+                                     {"OG  ", "SER", "O"},
+                                     {"CA  ", "ALA", "C"},
+                                     {"CD  ", "GLU", "C"},
+                                     {"HG  ", "SER", "H"},
+                                     {"NE  ", "ARG", "N"},
+                                     {"SG  ", "CYS", "S"},
+                                     {"NH1 ", "ARG", "N"},
+                                     {"HO5'", " DA", "H"},
+                                     {"SE  ", "MSE", "Se"},
+                                     {"1HB ", "ALA", "H"},
+                                     {"OH2 ", "TIP", "O"},
+                                     {"P   ", " DG", "P"},
+                                     {" CA ", "GLY", "C"},
+                                     {"HE21", "GLN", "H"},
+                                     // Where the residue says nothing, the columns do.
+                                     {"FE  ", "HEM", "Fe"},
+                                     {" C1 ", "LIG", "C"},
+                                     {"CL1 ", "LIG", "Cl"},
+                                     {"C210", "LIG", "C"}};
     for (const auto& [name, residue, element] : atoms) {
         const SitesFile file =
-            read(fmt::format("HETATM    1 {:4} {:>3} A   1       1.000   2.000   3.000\n", name, residue),
+            read(fmt::format("HETATM    1 {:4} {:>3} A   1       1.000   2.000   3.000\n", name,
+                             residue),
                  as(SitesInput::pdb));
         EXPECT_EQ(file.in_space, (Sites{{1, 2, 3, *van_der_waals_radius(element)}}))
             << name << ' ' << residue;
-        expect_note(file, fmt::format("f: 1 atom names no element, and is taken by name and residue "
-                                      "for one: 1 {}",
-                                      element));
+        expect_note(file,
+                    fmt::format("f: 1 atom names no element, and is taken by name and residue "
+                                "for one: 1 {}",
+                                element));
     }
 }
 
 TEST(PdbSites, TakeTheRadiiThatWereChosen) {
-    const std::string two = std::string("HETATM    1 MO1  ICS A 500       1.000   0.000   0.000  1.00  "
-                                        "0.00          MO\nHETATM    2 PU1  ICS A 500       2.000   "
-                                        "0.000   0.000  1.00  0.00          PU\n");
+    const std::string two = std::string(
+        "HETATM    1 MO1  ICS A 500       1.000   0.000   0.000  1.00  "
+        "0.00          MO\nHETATM    2 PU1  ICS A 500       2.000   "
+        "0.000   0.000  1.00  0.00          PU\n");
     EXPECT_EQ(read(two, {.input = SitesInput::pdb, .radii = {{"mo", 2.1}, {"pu", 2}}}).in_space,
               (Sites{{1, 0, 0, 2.1}, {2, 0, 0, 2}}));
     EXPECT_EQ(error(two, as(SitesInput::pdb)),
@@ -599,15 +631,18 @@ std::string bytes_of(T value, bool is_big) {
 TEST(PlySites, ReadBytes) {
     for (const bool is_big : {false, true}) {
         const std::string head = fmt::format(
-            "ply\nformat binary_{}_endian 1.0\nelement vertex 3\nproperty uchar red\nproperty float "
+            "ply\nformat binary_{}_endian 1.0\nelement vertex 3\nproperty uchar red\nproperty "
+            "float "
             "z\nproperty double x\nproperty short y\nproperty int radius\nelement face 1\nproperty "
             "list uchar int vertex_indices\nend_header\n",
             is_big ? "big" : "little");
         std::string body;
         Sites expected;
         for (int i = 0; i < 3; ++i) {
-            body += '\n' + bytes_of(0.1F * static_cast<float>(i), is_big) + bytes_of(0.1 * i, is_big) +
-                    bytes_of(static_cast<std::int16_t>(-300 * i), is_big) + bytes_of(70'000 * i, is_big);
+            body += '\n' + bytes_of(0.1F * static_cast<float>(i), is_big) +
+                    bytes_of(0.1 * i, is_big) +
+                    bytes_of(static_cast<std::int16_t>(-300 * i), is_big) +
+                    bytes_of(70'000 * i, is_big);
             expected.push_back({0.1 * i, -300.0 * i, 0.1F * static_cast<float>(i), 70'000.0 * i});
         }
         const std::string face = '\3' + std::string(12, '\0');
@@ -619,15 +654,17 @@ TEST(PlySites, ReadBytes) {
         EXPECT_EQ(error(head + infinite, as(SitesInput::ply)),
                   " vertex 0: a coordinate that is not finite; write a finite one");
     }
-    EXPECT_EQ(error("ply\nformat binary_little_endian 1.0\nelement face 1\nelement vertex 1\nproperty "
-                    "float x\nproperty float y\nproperty float z\nend_header\n",
-                    as(SitesInput::ply))
-                  .substr(0, 61),
-              "8:1: in binary files the vertices are to come first, and face");
+    EXPECT_EQ(
+        error("ply\nformat binary_little_endian 1.0\nelement face 1\nelement vertex 1\nproperty "
+              "float x\nproperty float y\nproperty float z\nend_header\n",
+              as(SitesInput::ply))
+            .substr(0, 61),
+        "8:1: in binary files the vertices are to come first, and face");
 }
 
 TEST(OffSites, AreVertices) {
-    EXPECT_EQ(read("OFF\n2 1 0 # of a part\n\n0 0 1\n1 2 3 255 0 0\n3 0 1 1\n", as(SitesInput::off)).in_space,
+    EXPECT_EQ(read("OFF\n2 1 0 # of a part\n\n0 0 1\n1 2 3 255 0 0\n3 0 1 1\n", as(SitesInput::off))
+                  .in_space,
               (Sites{{0, 0, 1, 0}, {1, 2, 3, 0}}));
     EXPECT_EQ(read("OFF 1 0 0\n1 2 3\n", as(SitesInput::off)).in_space, (Sites{{1, 2, 3, 0}}));
     const auto wrong = [](std::string_view contents) {
@@ -646,7 +683,8 @@ TEST(OffSites, AreVertices) {
 
 TEST(GroSites, AreInNanometres) {
     const std::string frame =
-        "Two waters\n2\n    1SOL     OW    1   0.500   1.500   1.600\n    1SOL    HW1    2   0.525   "
+        "Two waters\n2\n    1SOL     OW    1   0.500   1.500   1.600\n    1SOL    HW1    2   0.525 "
+        "  "
         "1.400  -1.612\n   2.0 2.0 2.0\n";
     const SitesFile file = read(frame, as(SitesInput::gro));
     EXPECT_EQ(file.in_space, (Sites{{0.5, 1.5, 1.6, 1.52 * 0.1}, {0.525, 1.4, -1.612, 1.2 * 0.1}}));
@@ -662,16 +700,19 @@ TEST(GroSites, AreInNanometres) {
     const auto wrong = [](std::string_view contents) {
         return error(contents, as(SitesInput::gro));
     };
-    EXPECT_EQ(wrong("t\n1\n    1NA      NA    1   0.500   1.5x0   1.600\n"), "3:32: '1.5x0'" + word);
+    EXPECT_EQ(wrong("t\n1\n    1NA      NA    1   0.500   1.5x0   1.600\n"),
+              "3:32: '1.5x0'" + word);
     EXPECT_EQ(wrong("t\nO 1\n"), "2:1: the number of atoms stands alone in the second line");
     EXPECT_EQ(wrong("t\n1\n    1NA      NA    1\n").substr(0, 20), "3:21: an atom withou");
 }
 
 TEST(LammpsSites, ArePlacedInTheirBox) {
-    const auto dump = [](std::string_view bounds, std::string_view columns, std::string_view atoms) {
-        return fmt::format("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS {}ITEM: ATOMS "
-                           "{}\n{}",
-                           bounds, columns, atoms);
+    const auto dump = [](std::string_view bounds, std::string_view columns,
+                         std::string_view atoms) {
+        return fmt::format(
+            "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS {}ITEM: ATOMS "
+            "{}\n{}",
+            bounds, columns, atoms);
     };
     const std::string box = "pp pp pp\n-1 3\n0 2\n10 20\n";
     const auto sites = [](const std::string& text) {
@@ -691,9 +732,10 @@ TEST(LammpsSites, ArePlacedInTheirBox) {
     const SitesFile frames =
         read(first + dump(box, "id x y z", "1 1 2 3\n2 4 5 6\n"), as(SitesInput::lammpstrj));
     EXPECT_EQ(frames.in_space, (Sites{{1, 2, 3, 0}, {4, 5, 6, 0}}));
-    expect_note(frames,
-                "f: of 2 frames the last one is read; no atom has a radius, and all radii are 0; the "
-                "box is left out, and the atoms are in all of space");
+    expect_note(
+        frames,
+        "f: of 2 frames the last one is read; no atom has a radius, and all radii are 0; the "
+        "box is left out, and the atoms are in all of space");
     const auto wrong = [](std::string_view contents) {
         return error(contents, as(SitesInput::lammpstrj));
     };
@@ -729,13 +771,15 @@ TEST(CifSites, AreAtoms) {
     };
     EXPECT_EQ(wrong(head + "7 N N SER . A 1 3.1 ? 2.1 1\n"), " atom 7: Cartn_x: no number");
     EXPECT_EQ(wrong(head + "7 N N SER . A 1 3.1 1.x 2.1 1\n"), " atom 7: Cartn_x: '1.x'" + word);
-    EXPECT_EQ(wrong(head + "7 Pu N SER . A 1 3.1 1 2.1 1\n"),
-              " atom 7: no van der Waals radius is known of 'Pu'; give one, as in --radius Pu=2.1, or "
-              "radii of all atoms in a PQR file");
+    EXPECT_EQ(
+        wrong(head + "7 Pu N SER . A 1 3.1 1 2.1 1\n"),
+        " atom 7: no van der Waals radius is known of 'Pu'; give one, as in --radius Pu=2.1, or "
+        "radii of all atoms in a PQR file");
     EXPECT_TRUE(wrong("data_x\nloop_\n_a\n_b\n1 2 3\n").ends_with("; this is no CIF"));
     EXPECT_EQ(wrong("data_x\n_a 1\n"),
               " no atom in this file: no loop with _atom_site.Cartn_x, as mmCIF has it");
-    EXPECT_NE(wrong("data_x\nloop_\n_atom_site_fract_x\n0.5\n").find("fractions"), std::string::npos);
+    EXPECT_NE(wrong("data_x\nloop_\n_atom_site_fract_x\n0.5\n").find("fractions"),
+              std::string::npos);
 }
 
 TEST(GeoJsonSites, ArePoints) {
@@ -752,15 +796,16 @@ TEST(GeoJsonSites, ArePoints) {
     EXPECT_TRUE(file.are_degrees);
     EXPECT_EQ(file.attributes, (std::vector<Attribute>{{"name", {"a", "b", "b"}, false},
                                                        {"n", {"7", "", ""}, true}}));
-    expect_note(file,
-                "f: longitude is x and latitude is y, degrees that are taken for a plane's; heights "
-                "are left out (2 of 3 points); --dimension 3 takes them for z; 1 feature that has no "
-                "point is left out");
+    expect_note(
+        file,
+        "f: longitude is x and latitude is y, degrees that are taken for a plane's; heights "
+        "are left out (2 of 3 points); --dimension 3 takes them for z; 1 feature that has no "
+        "point is left out");
     EXPECT_EQ(read("{\"type\": \"Point\", \"coordinates\": [1, 2, 3]}", in_space).in_space,
               (Sites{{1, 2, 3, 0}}));
-    const SitesFile projected =
-        read("{\"crs\": {\"type\": \"name\"}, \"type\": \"GeometryCollection\", \"geometries\": "
-             "[{\"type\": \"Point\", \"bbox\": [1], \"coordinates\": [1e5, 2e5]}]}");
+    const SitesFile projected = read(
+        "{\"crs\": {\"type\": \"name\"}, \"type\": \"GeometryCollection\", \"geometries\": "
+        "[{\"type\": \"Point\", \"bbox\": [1], \"coordinates\": [1e5, 2e5]}]}");
     EXPECT_EQ(projected.sites, (std::vector<Site>{{1e5, 2e5, 0}}));
     EXPECT_FALSE(projected.are_degrees);
     const std::string advice =
@@ -803,7 +848,8 @@ TEST(SitesFiles, MayBeCompressedByGzip) {
     for (int i = 0; i < 300'000; ++i) lines += fmt::format("{} {}\n", i, i % 1000);
     EXPECT_EQ(read(gzip(lines)).sites.size(), 300'000U);
     EXPECT_EQ(error(gzip(lines + "1 two\n")), "300001:3: 'two'" + word);
-    EXPECT_EQ(error(first.substr(0, first.size() - 9)), " this is compressed by gzip, and ends before its end");
+    EXPECT_EQ(error(first.substr(0, first.size() - 9)),
+              " this is compressed by gzip, and ends before its end");
     EXPECT_EQ(error(first + "xy").substr(0, 40), " this is compressed by gzip, and damaged");
     std::string damaged = first;
     damaged[damaged.size() - 6] ^= 1;

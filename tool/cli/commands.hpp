@@ -93,11 +93,12 @@ CLI::Option* add_threads(CLI::App& command, int& threads);
 
 /// What a call says about lines of text.
 struct TextCall {
-    std::string columns;         ///< empty: what a header says, else the first ones
-    std::string decimal = ".";   ///< or a comma
+    std::string columns;        ///< empty: what a header says, else the first ones
+    std::string decimal = ".";  ///< or a comma
     std::int64_t skipped_lines = 0;
     bool skips_missing = false;
-    std::vector<std::string> radii;  ///< of elements, each EL=R; not of text, but of the same reading
+    std::vector<std::string>
+        radii;  ///< of elements, each EL=R; not of text, but of the same reading
     /// Whether any of it was typed.
     [[nodiscard]] bool is_given() const {
         return !columns.empty() || decimal != "." || skipped_lines > 0 || skips_missing ||
@@ -109,8 +110,8 @@ CLI::Option* add_text(CLI::App& command, TextCall& call);
 /// Reads the file as the call says, and says so where a column was left out that may have been
 /// meant. Throws InputError, CallError and MachineError.
 SitesFile read_sites_of_call(const std::string& path, const TextCall& text,
-                                std::optional<int> dimension = 2,
-                                SitesInput input = SitesInput::text, bool attributes = false);
+                             std::optional<int> dimension = 2, SitesInput input = SitesInput::text,
+                             bool attributes = false);
 
 /// Adds the option --weight-is; empty when it is not given. `otherwise` says what holds then.
 CLI::Option* add_weight_is(CLI::App& command, std::string& weight_is, std::string_view otherwise);

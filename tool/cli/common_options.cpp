@@ -127,9 +127,10 @@ CLI::Option* add_text(CLI::App& command, TextCall& call) {
     command.add_flag("--skip-missing", call.skips_missing,
                      "Passes over lines where a number is empty, NA, NaN,\nnull or none");
     command
-        .add_option("--radius", call.radii,
-                    "Of an element of a molecule, in Angstrom, in place\nof the one that is known; as "
-                    "often as need be")
+        .add_option(
+            "--radius", call.radii,
+            "Of an element of a molecule, in Angstrom, in place\nof the one that is known; as "
+            "often as need be")
         ->allow_extra_args(false)
         ->type_name("EL=R");
     return columns;
@@ -155,7 +156,7 @@ SitesFile read_in_plane(const std::string& path, const ReadOptions& options) {
 }  // namespace
 
 SitesFile read_sites_of_call(const std::string& path, const TextCall& text,
-                                std::optional<int> dimension, SitesInput input, bool attributes) {
+                             std::optional<int> dimension, SitesInput input, bool attributes) {
     const std::string& columns = text.columns;
     Columns chosen;
     for (std::size_t start = 0; !columns.empty() && start <= columns.size();) {
@@ -189,20 +190,21 @@ SitesFile read_sites_of_call(const std::string& path, const TextCall& text,
             path));
     }
     ReadOptions options = {.columns = chosen,
-                                 .dimension = dimension,
-                                 .input = input,
-                                 .attributes = attributes,
-                                 .decimal = text.decimal.front(),
-                                 .skipped_lines = text.skipped_lines,
-                                 .skips_missing = text.skips_missing};
+                           .dimension = dimension,
+                           .input = input,
+                           .attributes = attributes,
+                           .decimal = text.decimal.front(),
+                           .skipped_lines = text.skipped_lines,
+                           .skips_missing = text.skips_missing};
     for (const std::string& each : text.radii) {
         const std::size_t mark = std::min(each.find('='), each.size());
         const std::string element = each.substr(0, mark);
         const Number radius = parse_number(each.substr(std::min(mark + 1, each.size())));
         if (!is_element(element) || radius.fault != NumberFault::none || radius.value < 0.0)
-            throw CallError(fmt::format("--radius {}: give an element and its radius in Ångström, as in "
-                                        "--radius Mo=2.1",
-                                        each));
+            throw CallError(
+                fmt::format("--radius {}: give an element and its radius in Ångström, as in "
+                            "--radius Mo=2.1",
+                            each));
         options.radii[in_small_letters(element)] = radius.value;
     }
     SitesFile file = dimension == 2 ? read_in_plane(path, options) : read_sites(path, options);

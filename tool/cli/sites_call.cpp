@@ -121,7 +121,7 @@ InputSites read_input(const SitesCall& call) {
     const Metric metric = metric_of(call.metric);
     check_weight_is(call.weight_is, metric);
     InputSites sites = {read_sites_of_call(call.input, call.text, call.dimension,
-                                              input_of_call(call), call.attributes),
+                                           input_of_call(call), call.attributes),
                         WeightIs::radius};
     check_space(call, sites.file);
     sites.third = sites.file.third.value_or(WeightIs::radius);

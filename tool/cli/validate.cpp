@@ -62,8 +62,8 @@ Validation judged_in_plane(const ValidateCall& call, const TessellationArrays& a
                         "of the plane",
                         call.read_as, call.tessellation));
     }
-    const SitesFile file = read_sites_of_call(call.sites, call.text, 2,
-                                                 is_of_space(input) ? SitesInput::text : input);
+    const SitesFile file =
+        read_sites_of_call(call.sites, call.text, 2, is_of_space(input) ? SitesInput::text : input);
     return validate_with_progress(arrays, strided_view(file.sites, arrays.weight_is), call.quiet,
                                   call.threads);
 }
@@ -133,7 +133,7 @@ void run_finite(const ValidateCall& call) {
     };
     const bool in_space = !read.cells.empty();
     const SitesFile sites = read_sites_of_call(call.sites, call.text, in_space ? 3 : 2,
-                                                  input_of(call.sites, call.read_as));
+                                               input_of(call.sites, call.read_as));
     const InputSites given = {
         sites, call.weight_is == name_of(WeightIs::weight) ? WeightIs::weight : WeightIs::radius};
     std::vector<Target> targets;

@@ -240,8 +240,8 @@ void run(VoronoiCall& call) {
     const Outputs outputs(targets);
     const Voronoi diagram(construct(call, sites), {.merge = call.merge, .threads = call.threads});
 
-    const Box box = clip.value_or(on_globe(
-        default_box(diagram.tessellation().sites(), diagram.exponent()), sites.file));
+    const Box box = clip.value_or(
+        on_globe(default_box(diagram.tessellation().sites(), diagram.exponent()), sites.file));
     const bool is_used =
         clip ||
         std::ranges::any_of(std::array<std::string_view, 5>{"geojson", "csv", "wkt", "vtk", "vtp"},

@@ -159,7 +159,8 @@ void triangulate_within(const MemoryCall& memory, const SitesCall& call,
                         call.input));
     if (call.text.is_given())
         throw CallError(
-            "--memory reads the first columns, x, y (z) and r, of lines of numbers; leave --columns, "
+            "--memory reads the first columns, x, y (z) and r, of lines of numbers; leave "
+            "--columns, "
             "--decimal, --skip-lines and --skip-missing out");
     const int dimension = call.dimension.value_or(2);
     const Metric metric = metric_of(call.metric);

@@ -52,8 +52,9 @@ class CifSites {
             break;
         }
         if (result_.in_space.empty())
-            throw InputError(file_.path(),
-                             "no atom in this file: no loop with _atom_site.Cartn_x, as mmCIF has it");
+            throw InputError(
+                file_.path(),
+                "no atom in this file: no loop with _atom_site.Cartn_x, as mmCIF has it");
         if (std::string guessed = guessed_.note(); !guessed.empty()) notes.push_back(guessed);
         result_.note = joined_note(file_.path(), notes);
         return std::move(result_);
@@ -62,7 +63,8 @@ class CifSites {
  private:
     cif::Document parsed() {
         std::string text;
-        for (std::string_view block = file_.next_block(); !block.empty(); block = file_.next_block())
+        for (std::string_view block = file_.next_block(); !block.empty();
+             block = file_.next_block())
             text += block;
         try {
             return cif::read_memory(text.data(), text.size(), file_.path().c_str());
@@ -85,7 +87,8 @@ class CifSites {
         };
         number(place.line);
         number(place.column);
-        message.remove_prefix(std::min(message.find_first_not_of("0123456789():, "), message.size()));
+        message.remove_prefix(
+            std::min(message.find_first_not_of("0123456789():, "), message.size()));
         return {path, place, fmt::format("{}; this is no CIF", message)};
     }
 
@@ -107,12 +110,24 @@ class CifSites {
     }
 
     void read_atoms(cif::Block& block, std::vector<std::string>& notes) {
-        enum : std::size_t { id, x, y, z, symbol, name, residue, letter, model, chain, number, code };
+        enum : std::size_t {
+            id,
+            x,
+            y,
+            z,
+            symbol,
+            name,
+            residue,
+            letter,
+            model,
+            chain,
+            number,
+            code
+        };
         cif::Table table = block.find(
-            "_atom_site.",
-            {"id", "Cartn_x", "Cartn_y", "Cartn_z", "?type_symbol", "?label_atom_id",
-             "?label_comp_id", "?label_alt_id", "?pdbx_PDB_model_num", "?auth_asym_id",
-             "?auth_seq_id", "?pdbx_PDB_ins_code"});
+            "_atom_site.", {"id", "Cartn_x", "Cartn_y", "Cartn_z", "?type_symbol", "?label_atom_id",
+                            "?label_comp_id", "?label_alt_id", "?pdbx_PDB_model_num",
+                            "?auth_asym_id", "?auth_seq_id", "?pdbx_PDB_ins_code"});
         AlternatePlaces alternates;
         std::int64_t of_other_models = 0;
         std::string first_model;
@@ -134,10 +149,9 @@ class CifSites {
                 element = element_by_name(text(residue), text(name), false);
                 guessed_.add(element);
             }
-            result_.in_space.push_back({coordinate("Cartn_x", text(x), atom),
-                                        coordinate("Cartn_y", text(y), atom),
-                                        coordinate("Cartn_z", text(z), atom),
-                                        radius(element, atom)});
+            result_.in_space.push_back(
+                {coordinate("Cartn_x", text(x), atom), coordinate("Cartn_y", text(y), atom),
+                 coordinate("Cartn_z", text(z), atom), radius(element, atom)});
         }
         if (alternates.left_out() > 0)
             notes.push_back(fmt::format("{} alternate place{} of atoms left out",
@@ -163,9 +177,11 @@ SitesFile read_cif_sites(InputFile& file, const ReadOptions& options) {
 #else
 
 SitesFile read_cif_sites(InputFile& file, const ReadOptions& /*options*/) {
-    throw InputError(file.path(), "this build reads no CIF, for it was made without gemmi; build it with "
-                                  "gemmi's headers (Debian: gemmi-dev, tao-pegtl-dev), or give the atoms as PDB, PQR "
-                                  "or XYZ");
+    throw InputError(
+        file.path(),
+        "this build reads no CIF, for it was made without gemmi; build it with "
+        "gemmi's headers (Debian: gemmi-dev, tao-pegtl-dev), or give the atoms as PDB, PQR "
+        "or XYZ");
 }
 
 #endif

@@ -41,14 +41,14 @@ constexpr auto words = std::to_array<Word>({
 
 /// What stands beside such a word without changing its meaning, and units.
 constexpr auto companions = std::to_array<std::string_view>(
-    {"coord", "coords", "coordinate", "coordinates", "coor", "pos",  "position", "point",
-     "pt",    "loc",    "location",   "center",      "centre", "centroid", "cen", "geo",
-     "gps",   "map",    "proj",       "projected",   "utm",  "wgs",  "wgs84",    "epsg",
-     "4326",  "3857",   "lambert",    "l93",         "osgb", "bng",  "mga",      "gda94",
-     "etrs89", "decimal", "dec",      "dd",          "deg",  "degree", "degrees", "stop",
-     "site",  "station", "place",     "venue",       "m",    "meter", "meters",  "metre",
-     "metres", "km",    "cm",         "mm",          "um",   "nm",   "ft",       "feet",
-     "px",    "pixel",  "pixels",     "micron",      "microns", "angstrom", "a", "in"});
+    {"coord",  "coords",  "coordinate", "coordinates", "coor",    "pos",      "position", "point",
+     "pt",     "loc",     "location",   "center",      "centre",  "centroid", "cen",      "geo",
+     "gps",    "map",     "proj",       "projected",   "utm",     "wgs",      "wgs84",    "epsg",
+     "4326",   "3857",    "lambert",    "l93",         "osgb",    "bng",      "mga",      "gda94",
+     "etrs89", "decimal", "dec",        "dd",          "deg",     "degree",   "degrees",  "stop",
+     "site",   "station", "place",      "venue",       "m",       "meter",    "meters",   "metre",
+     "metres", "km",      "cm",         "mm",          "um",      "nm",       "ft",       "feet",
+     "px",     "pixel",   "pixels",     "micron",      "microns", "angstrom", "a",        "in"});
 
 bool is_companion(std::string_view word) {
     return std::ranges::count(companions, word) > 0;
@@ -67,8 +67,8 @@ std::vector<std::string> words_in(std::string_view name) {
     for (const char c : name) {
         const auto byte = static_cast<unsigned char>(c);
         const bool is_part = std::isalnum(byte) != 0;
-        const bool is_hump = std::isupper(byte) != 0 &&
-                             std::islower(static_cast<unsigned char>(before)) != 0;
+        const bool is_hump =
+            std::isupper(byte) != 0 && std::islower(static_cast<unsigned char>(before)) != 0;
         if (is_part && (!is_inside || is_hump)) result.emplace_back();
         if (is_part) result.back() += static_cast<char>(std::tolower(byte));
         is_inside = is_part;
@@ -106,9 +106,10 @@ std::optional<CoordinateName> coordinate_named(std::string_view name) {
 
 bool is_name_of_identifier(std::string_view name) {
     constexpr auto identifiers = std::to_array<std::string_view>(
-        {"", "#", "id", "ids", "fid", "oid", "gid", "uid", "pid", "objectid", "object", "index",
-         "idx", "row", "rownum", "nr", "no", "num", "number", "key", "code", "rank", "count",
-         "unnamed", "0", "ogc", "sn", "serial"});
+        {"",       "#",     "id",       "ids",    "fid",    "oid", "gid",
+         "uid",    "pid",   "objectid", "object", "index",  "idx", "row",
+         "rownum", "nr",    "no",       "num",    "number", "key", "code",
+         "rank",   "count", "unnamed",  "0",      "ogc",    "sn",  "serial"});
     std::string letters;
     for (const char c : name)
         if (std::isalnum(static_cast<unsigned char>(c)) != 0)

@@ -45,8 +45,8 @@ std::string without_middle(std::string message) {
     return message.replace(first, second - first, "...");
 }
 
-/// How many bytes the character has that begins a text, in UTF-8 as RFC 3629 has it; 0 where that is
-/// none that can be shown.
+/// How many bytes the character has that begins a text, in UTF-8 as RFC 3629 has it; 0 where that
+/// is none that can be shown.
 std::size_t bytes_of_character(std::string_view text) {
     if (bytes_of_control(text, 0) > 0) return 0;
     const auto byte = [&](std::size_t k) {
@@ -54,7 +54,11 @@ std::size_t bytes_of_character(std::string_view text) {
     };
     const unsigned first = byte(0);
     if (first < 0x80) return 1;
-    const std::size_t bytes = first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
+    const std::size_t bytes = first < 0xC2   ? 0
+                              : first < 0xE0 ? 2
+                              : first < 0xF0 ? 3
+                              : first < 0xF5 ? 4
+                                             : 0;
     for (std::size_t k = 1; k < bytes; ++k)
         if ((byte(k) & 0xC0U) != 0x80U) return 0;
     // Longer than need be, surrogates, and what lies behind the last character.

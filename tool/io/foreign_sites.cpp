@@ -18,7 +18,8 @@ struct Format {
     std::string_view way;  ///< to go on
 };
 constexpr std::string_view as_table =
-    "is not read; save the points as CSV with a header x,y[,r], or as GeoJSON, such as by ogr2ogr or "
+    "is not read; save the points as CSV with a header x,y[,r], or as GeoJSON, such as by ogr2ogr "
+    "or "
     "QGIS's Export";
 constexpr std::string_view as_mesh = "is not read; save the vertices as PLY";
 constexpr std::string_view as_atoms = "is not read; save the atoms as PDB, mmCIF, XYZ or PQR";
@@ -82,7 +83,8 @@ std::string other_format(std::string_view beginning) {
         const std::size_t text = line.find_first_not_of(" \t\r");
         const bool is_comment = text != std::string_view::npos && line[text] == '#' &&
                                 !line.substr(text).starts_with(formats.front().mark);
-        if (!is_comment && (!lines.empty() || text != std::string_view::npos)) lines.push_back(line);
+        if (!is_comment && (!lines.empty() || text != std::string_view::npos))
+            lines.push_back(line);
         begin = end + 1;
     }
     if (lines.empty()) return {};
@@ -100,14 +102,16 @@ std::string other_format(std::string_view beginning) {
         // A header may begin with the same letters.
         const char next = first.size() > format.mark.size() ? first[format.mark.size()] : ' ';
         const bool is_word = std::isalnum(static_cast<unsigned char>(format.mark.back())) == 0 ||
-                             format.mark.ends_with('_') || next == ' ' || next == '\r' || next == '(';
+                             format.mark.ends_with('_') || next == ' ' || next == '\r' ||
+                             next == '(';
         const bool is_alone = format.mark.size() > 5 || format.mark == "%PDF" ||
                               first.find_first_of(",;\t") == std::string_view::npos;
         if (is_word && is_alone) return message(format);
     }
     // An atom of PDB whose file has no head.
     if ((first.starts_with("ATOM  ") || first.starts_with("HETATM")) && first.size() >= 54)
-        return message({"", "PDB or PQR", "is known by its ending; add --read-as pdb or --read-as pqr"});
+        return message(
+            {"", "PDB or PQR", "is known by its ending; add --read-as pdb or --read-as pqr"});
     if (lines.size() < 3) return {};
     if (is_whole_number(lines[0]) && has_letter(lines[2]) &&
         lines[2].find_first_of(",;") == std::string_view::npos)

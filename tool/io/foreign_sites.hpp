@@ -6,7 +6,8 @@
 
 namespace signum {
 
-/// What the file is that begins so, and what to do, as a message; empty where it may be lines of sites.
+/// What the file is that begins so, and what to do, as a message; empty where it may be lines of
+/// sites.
 [[nodiscard]] std::string other_format(std::string_view beginning);
 
 }  // namespace signum

@@ -1,4 +1,5 @@
-/// Points of GeoJSON (RFC 7946), alone or as features; what a feature's properties say is carried along.
+/// Points of GeoJSON (RFC 7946), alone or as features; what a feature's properties say is carried
+/// along.
 
 #include <algorithm>
 #include <array>
@@ -23,8 +24,9 @@ namespace {
 class GeoJsonSites final : public JsonEvents {
  public:
     GeoJsonSites(InputFile& file, const ReadOptions& options)
-        : JsonEvents(file, "of GeoJSON points are read, such as {\"type\": \"Point\", "
-                           "\"coordinates\": [x, y]}, alone, in features or in a collection"),
+        : JsonEvents(file,
+                     "of GeoJSON points are read, such as {\"type\": \"Point\", "
+                     "\"coordinates\": [x, y]}, alone, in features or in a collection"),
           options_(options),
           in_space_(options.dimension == 3) {
         result_.dimension = in_space_ ? 3 : 2;
@@ -38,11 +40,13 @@ class GeoJsonSites final : public JsonEvents {
         std::vector<std::string> notes;
         result_.are_degrees = !in_space_ && !names_system_;
         if (result_.are_degrees)
-            notes.emplace_back("longitude is x and latitude is y, degrees that are taken for a plane's");
+            notes.emplace_back(
+                "longitude is x and latitude is y, degrees that are taken for a plane's");
         if (heights_ > 0 && !in_space_)
-            notes.push_back(fmt::format("heights are left out ({} of {} points); --dimension 3 takes "
-                                        "them for z",
-                                        heights_, sites));
+            notes.push_back(
+                fmt::format("heights are left out ({} of {} points); --dimension 3 takes "
+                            "them for z",
+                            heights_, sites));
         if (empty_ > 0)
             notes.push_back(fmt::format("{} feature{} no point {} left out", empty_,
                                         empty_ == 1 ? " that has" : "s that have",
@@ -58,7 +62,8 @@ class GeoJsonSites final : public JsonEvents {
         if (coordinates_depth_ > 0) fail_at_structure("an object cannot stand within coordinates");
         if (is_in_properties()) return ++skipped_, true;
         const bool are_properties = !objects_.empty() && objects_.back().key == "properties";
-        if (objects_.size() == most_depth) fail_at_structure("objects within objects within objects");
+        if (objects_.size() == most_depth)
+            fail_at_structure("objects within objects within objects");
         objects_.push_back({.are_properties = are_properties, .place = cursor().structure()});
         return true;
     }
@@ -144,7 +149,8 @@ class GeoJsonSites final : public JsonEvents {
             if (third != names_of_third.end()) {
                 third_ = number_of(digits);
                 third_place_ = cursor().value();
-                if (name != "r") result_.third = name == "weight" ? WeightIs::weight : WeightIs::radius;
+                if (name != "r")
+                    result_.third = name == "weight" ? WeightIs::weight : WeightIs::radius;
                 return true;
             }
             return say_value(digits, true);
@@ -192,9 +198,9 @@ class GeoJsonSites final : public JsonEvents {
         if (!is_point && !(object.type == "MultiPoint" && object.depth <= 2))
             fail(object.place, object.type == "Point" || object.type == "MultiPoint"
                                    ? "coordinates of another shape than those of points"
-                                   : object.type.empty()
-                                       ? "coordinates without a type"
-                                       : fmt::format("a {} is no point", object.type));
+                               : object.type.empty()
+                                   ? "coordinates without a type"
+                                   : fmt::format("a {} is no point", object.type));
         for (const Point& point : object.points) {
             if (point.x.empty() && !is_point) continue;  // the array about a MultiPoint's
             const std::size_t least = in_space_ ? 3 : 2;
@@ -209,9 +215,8 @@ class GeoJsonSites final : public JsonEvents {
         if (points_.empty() && !objects_.empty()) ++empty_;
         for (const Point& point : points_) {
             if (point.x.size() > 2) ++heights_;
-            const std::array<double, 4> numbers = {point.x[0], point.x[1],
-                                                   in_space_ ? point.x[2] : third_,
-                                                   in_space_ ? third_ : 0.0};
+            const std::array<double, 4> numbers = {
+                point.x[0], point.x[1], in_space_ ? point.x[2] : third_, in_space_ ? third_ : 0.0};
             result_.add(numbers, [&](std::size_t which) {
                 return which < 2 || (in_space_ && which == 2) ? point.place : third_place_;
             });

@@ -44,8 +44,8 @@ class GroSites {
     /// Stands at the title.
     void read_frame() {
         if (!lines_.next()) lines_.fail_at_end("the file ends within a frame");
-        const auto atoms = lines_.size() == 1 ? parse_whole_number(lines_[0])
-                                              : std::optional<std::uint64_t>();
+        const auto atoms =
+            lines_.size() == 1 ? parse_whole_number(lines_[0]) : std::optional<std::uint64_t>();
         if (!atoms) lines_.fail_at(0, "the number of atoms stands alone in the second line");
         result_.in_space.clear();
         guessed_ = {};
@@ -63,10 +63,12 @@ class GroSites {
         constexpr std::size_t start = 21;
         const std::string_view line = lines_.line();
         const std::size_t first = line.find('.', start - 1);
-        const std::size_t second = first == std::string_view::npos ? first : line.find('.', first + 1);
+        const std::size_t second =
+            first == std::string_view::npos ? first : line.find('.', first + 1);
         if (second == std::string_view::npos)
-            lines_.fail_at_column(std::min(start, line.size() + 1),
-                                  "an atom without x, y and z from column 21 on, which have points");
+            lines_.fail_at_column(
+                std::min(start, line.size() + 1),
+                "an atom without x, y and z from column 21 on, which have points");
         const std::size_t width = second - first;
         std::array<double, 3> x = {};
         for (std::size_t k = 0; k < x.size(); ++k)
@@ -74,8 +76,7 @@ class GroSites {
         const std::string element =
             element_by_name(lines_.columns(6, 10), lines_.columns(11, 15), false);
         const auto radius = radius_of_element(options_, element);
-        if (!radius)
-            lines_.fail_at_column(11, no_radius_of(lines_.columns(11, 15), element));
+        if (!radius) lines_.fail_at_column(11, no_radius_of(lines_.columns(11, 15), element));
         guessed_.add(element);
         result_.in_space.push_back({x[0], x[1], x[2], *radius * angstrom_in_nanometres});
     }

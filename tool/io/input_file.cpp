@@ -67,8 +67,8 @@ struct InputFile::Inflation {
 
     z_stream stream = {};
     std::vector<unsigned char> compressed;
-    std::size_t taken = 0;     ///< of them
-    bool has_member = false;   ///< a member has begun and not ended
+    std::size_t taken = 0;    ///< of them
+    bool has_member = false;  ///< a member has begun and not ended
 };
 
 InputFile::InputFile(std::string path, std::string_view kind, Contents contents)
@@ -194,9 +194,10 @@ std::size_t InputFile::read_inflated(char* to, std::size_t most) {
         state.has_member = outcome != Z_STREAM_END;
         if (outcome == Z_MEM_ERROR) throw std::bad_alloc();
         if (outcome != Z_OK && outcome != Z_STREAM_END)
-            throw InputError(path_, fmt::format("this is compressed by gzip, and damaged{}{}",
-                                                state.stream.msg == nullptr ? "" : ": ",
-                                                state.stream.msg == nullptr ? "" : state.stream.msg));
+            throw InputError(path_,
+                             fmt::format("this is compressed by gzip, and damaged{}{}",
+                                         state.stream.msg == nullptr ? "" : ": ",
+                                         state.stream.msg == nullptr ? "" : state.stream.msg));
         if (outcome == Z_STREAM_END) inflateReset(&state.stream);
     }
     return given();

@@ -48,7 +48,8 @@ class DumpSites {
         if (result_.in_space.empty()) lines_.fail_at_end("no atom in this file");
         std::vector<std::string> notes;
         if (frames > 1) notes.push_back(fmt::format("of {} frames the last one is read", frames));
-        if (places_[3] == no_word && !element_) notes.emplace_back("no atom has a radius, and all radii are 0");
+        if (places_[3] == no_word && !element_)
+            notes.emplace_back("no atom has a radius, and all radii are 0");
         if (is_scaled_) notes.emplace_back("scaled coordinates are placed in the box, and rounded");
         notes.emplace_back("the box is left out, and the atoms are in all of space");
         result_.note = joined_note(lines_.path(), notes);
@@ -62,12 +63,14 @@ class DumpSites {
         if (!lines_.next()) lines_.fail_at_end("the file ends within a frame");
     }
 
-    /// Three lines lo hi [tilt]; with tilts, xy, xz and yz, the bounds are of the box about the cell.
+    /// Three lines lo hi [tilt]; with tilts, xy, xz and yz, the bounds are of the box about the
+    /// cell.
     void read_box() {
         const bool is_tilted = lines_.line().find("xy xz yz") != std::string_view::npos;
         if (lines_.line().find("abc origin") != std::string_view::npos)
-            lines_.fail_at(0, "boxes of general vectors are not read; write the dump with those of "
-                              "LAMMPS");
+            lines_.fail_at(0,
+                           "boxes of general vectors are not read; write the dump with those of "
+                           "LAMMPS");
         std::array<std::array<double, 3>, 3> rows = {};
         for (auto& row : rows) {
             next();
@@ -131,9 +134,9 @@ class DumpSites {
             if (!lines_.next())
                 lines_.fail_at_end(fmt::format("the file ends after {} of {} atoms", i, *atoms_));
             if (lines_.size() != columns_)
-                lines_.fail_at(std::min(lines_.size(), columns_),
-                               fmt::format("{} columns, but ITEM: ATOMS names {}", lines_.size(),
-                                           columns_));
+                lines_.fail_at(
+                    std::min(lines_.size(), columns_),
+                    fmt::format("{} columns, but ITEM: ATOMS names {}", lines_.size(), columns_));
             add_site(result_, lines_, places_);
             Site3& site = result_.in_space.back();
             if (element_) site.r = radius_of(*element_);

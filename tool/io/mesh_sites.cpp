@@ -148,9 +148,10 @@ class PlySites {
     /// The vertices behind the header, as the machine of the file had them.
     SitesFile read_bytes() {
         if (elements_.front().name != "vertex")
-            lines_.fail_at_end(fmt::format("in binary files the vertices are to come first, and {} do "
-                                           "here",
-                                           elements_.front().name));
+            lines_.fail_at_end(
+                fmt::format("in binary files the vertices are to come first, and {} do "
+                            "here",
+                            elements_.front().name));
         const std::uint64_t count = elements_.front().count;
         if (count == 0) lines_.fail_at_end("no vertex in this file");
         std::vector<char> vertex;
@@ -159,7 +160,8 @@ class PlySites {
              block = file_.next_block()) {
             while (!block.empty() && read < count) {
                 const std::size_t take = std::min(block.size(), bytes_of_vertex_ - vertex.size());
-                vertex.insert(vertex.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(take));
+                vertex.insert(vertex.end(), block.begin(),
+                              block.begin() + static_cast<std::ptrdiff_t>(take));
                 block.remove_prefix(take);
                 if (vertex.size() < bytes_of_vertex_) break;
                 add_vertex(vertex, read++);
@@ -167,7 +169,8 @@ class PlySites {
             }
         }
         if (read < count)
-            throw InputError(file_.path(), fmt::format("the file ends after {} of {} vertices", read, count));
+            throw InputError(file_.path(),
+                             fmt::format("the file ends after {} of {} vertices", read, count));
         return std::move(result_);
     }
 
@@ -184,9 +187,10 @@ class PlySites {
                 std::ranges::copy(part, raw.begin());
             numbers[which] = property.type.value(raw);
             if (!std::isfinite(numbers[which]))
-                throw InputError(file_.path(), fmt::format("vertex {}: a coordinate that is not finite; "
-                                                           "write a finite one",
-                                                           number));
+                throw InputError(file_.path(),
+                                 fmt::format("vertex {}: a coordinate that is not finite; "
+                                             "write a finite one",
+                                             number));
         }
         result_.add(numbers, [](std::size_t) { return Position(); });
     }
@@ -244,10 +248,11 @@ class PlySites {
 }  // namespace
 
 SitesFile read_off_sites(InputFile& file) {
-    LineWords lines(file,
-                    "an OFF file is OFF, the numbers of vertices, faces and edges, and a line x y z "
-                    "for each vertex",
-                    '#');
+    LineWords lines(
+        file,
+        "an OFF file is OFF, the numbers of vertices, faces and edges, and a line x y z "
+        "for each vertex",
+        '#');
     if (!lines.next_with_words() || lines[0] != "OFF") lines.fail_at_end("this is no OFF file");
     // The numbers may stand behind the word.
     std::size_t first = 1;

@@ -43,8 +43,8 @@ constexpr auto ions = std::to_array<Ion>({{"sod", "Na"},
                                           {"ip", "Na"},
                                           {"im", "Cl"}});
 
-/// Residues of amino acids, nucleotides and water, whose atoms are of H, C, N, O, P, S and Se alone:
-/// the first letter tells.
+/// Residues of amino acids, nucleotides and water, whose atoms are of H, C, N, O, P, S and Se
+/// alone: the first letter tells.
 bool has_light_atoms_alone(std::string_view residue) {
     constexpr auto residues = std::to_array<std::string_view>(
         {"ala", "arg", "asn", "asp", "asx", "cys", "gln", "glu", "glx", "gly", "his", "ile", "leu",
@@ -118,9 +118,10 @@ std::optional<double> radius_of_element(const ReadOptions& options, std::string_
 }
 
 std::string no_radius_of(std::string_view shown, std::string_view element) {
-    return fmt::format("no van der Waals radius is known of {}; give one, as in --radius {}=2.1, or "
-                       "radii of all atoms in a PQR file",
-                       in_quotes(shown), element.empty() ? "X" : symbol(element));
+    return fmt::format(
+        "no van der Waals radius is known of {}; give one, as in --radius {}=2.1, or "
+        "radii of all atoms in a PQR file",
+        in_quotes(shown), element.empty() ? "X" : symbol(element));
 }
 
 std::string joined_note(const std::string& path, const std::vector<std::string>& notes) {

@@ -27,9 +27,9 @@ class AlternatePlaces {
     std::int64_t left_out_ = 0;
 };
 
-/// The element of an atom that names none, by its name and that of its residue: CA of ALA is carbon,
-/// SOD of SOD sodium, OG of SER oxygen, whatever its columns. `may_have_two`: where the residue says
-/// nothing, the first two letters are an element's if there is one.
+/// The element of an atom that names none, by its name and that of its residue: CA of ALA is
+/// carbon, SOD of SOD sodium, OG of SER oxygen, whatever its columns. `may_have_two`: where the
+/// residue says nothing, the first two letters are an element's if there is one.
 [[nodiscard]] std::string element_by_name(std::string_view residue, std::string_view name,
                                           bool may_have_two);
 
@@ -53,6 +53,7 @@ class GuessedElements {
 [[nodiscard]] std::string no_radius_of(std::string_view shown, std::string_view element);
 
 /// FILE: the notes, one after the other; empty where there is none.
-[[nodiscard]] std::string joined_note(const std::string& path, const std::vector<std::string>& notes);
+[[nodiscard]] std::string joined_note(const std::string& path,
+                                      const std::vector<std::string>& notes);
 
 }  // namespace signum

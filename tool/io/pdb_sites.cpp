@@ -102,10 +102,11 @@ class PdbSites {
         };
         if (!is_cut(31) && !is_cut(39) && !is_cut(47)) return;
         lines_.fail_at_column(
-            31, fmt::format("x, y and z are to stand in columns 31 to 38, 39 to 46 and 47 to 54, and "
-                            "there stands {}; where a long number before them has moved them, move "
-                            "them back",
-                            in_quotes(lines_.line().substr(30, 24))));
+            31,
+            fmt::format("x, y and z are to stand in columns 31 to 38, 39 to 46 and 47 to 54, and "
+                        "there stands {}; where a long number before them has moved them, move "
+                        "them back",
+                        in_quotes(lines_.line().substr(30, 24))));
     }
 
     /// Of the element in columns 77 and 78, where old files have digits; where none is, of the
@@ -153,8 +154,8 @@ bool is_number_of_residue(std::string_view word) {
            });
 }
 
-/// The columns of numbers where words have grown together: x, y, z, charge and radius, eight columns
-/// each from the 31st. Nothing where one of them is none.
+/// The columns of numbers where words have grown together: x, y, z, charge and radius, eight
+/// columns each from the 31st. Nothing where one of them is none.
 std::optional<std::array<double, 5>> numbers_in_columns(const LineWords& lines) {
     std::array<double, 5> numbers = {};
     for (std::size_t k = 0; k < numbers.size(); ++k) {

@@ -21,8 +21,9 @@ SitesFile read_text_or_json(InputFile& file, const ReadOptions& options) {
 }
 
 constexpr std::array kinds = {
-    SitesInputKind{SitesInput::text, "text", "", "lines of columns, JSON [[x, y, r], ...], or points of\nGeoJSON",
-                   false, Contents::text, read_text_or_json},
+    SitesInputKind{SitesInput::text, "text", "",
+                   "lines of columns, JSON [[x, y, r], ...], or points of\nGeoJSON", false,
+                   Contents::text, read_text_or_json},
     SitesInputKind{SitesInput::xyz, "xyz", "", "atoms in space: element x y z [radius]", true,
                    Contents::text, as_it_is<read_xyz_sites>},
     SitesInputKind{SitesInput::cif, "cif", "mmcif", "the same in mmCIF", true, Contents::text,

@@ -36,18 +36,18 @@ using Columns = std::vector<std::string>;
 
 /// What a file of sites may be.
 enum class SitesInput : std::uint8_t {
-    text,  ///< lines of columns, JSON, or points of GeoJSON
-    xyz,   ///< atoms: their number, a comment, then a line each: element x y z [radius]
-    cif,   ///< atoms of an mmCIF file, with the radii of their elements
-    gro,   ///< atoms of GROMACS
+    text,       ///< lines of columns, JSON, or points of GeoJSON
+    xyz,        ///< atoms: their number, a comment, then a line each: element x y z [radius]
+    cif,        ///< atoms of an mmCIF file, with the radii of their elements
+    gro,        ///< atoms of GROMACS
     lammpstrj,  ///< a dump of LAMMPS
-    pdb,   ///< atoms of the Protein Data Bank, with the radii of their elements
-    pqr,   ///< the same with charges and radii
-    off,   ///< the same, of Geomview's format
-    ply,   ///< vertices of a mesh
-    npy,   ///< an array of NumPy's
-    f64,   ///< doubles without a head
-    node   ///< points of Triangle (in the plane) or TetGen (in space)
+    pdb,        ///< atoms of the Protein Data Bank, with the radii of their elements
+    pqr,        ///< the same with charges and radii
+    off,        ///< the same, of Geomview's format
+    ply,        ///< vertices of a mesh
+    npy,        ///< an array of NumPy's
+    f64,        ///< doubles without a head
+    node        ///< points of Triangle (in the plane) or TetGen (in space)
 };
 struct ReadOptions;
 struct SitesFile;
@@ -86,8 +86,8 @@ struct ReadOptions {
     /// Of text: whether lines are passed over where a number is empty, NA, NaN, null or none; the
     /// note says how many.
     bool skips_missing = false;
-    /// Of molecules: radii of elements in Å, by their symbols in small letters, before those that are
-    /// known.
+    /// Of molecules: radii of elements in Å, by their symbols in small letters, before those that
+    /// are known.
     std::map<std::string, double> radii = {};
     /// Of the rows of an array one share of so many, the shares in order; all else is read whole.
     /// The file has to have a size.

@@ -20,8 +20,8 @@ namespace signum {
 /// of those that the first site tells: it lies in space where it has four numbers.
 [[nodiscard]] SitesFile read_json_sites(InputFile& file, const ReadOptions& options);
 
-/// The points of GeoJSON, in the plane unless the dimension is 3; properties are attributes, but for r,
-/// radius or weight, which is that.
+/// The points of GeoJSON, in the plane unless the dimension is 3; properties are attributes, but
+/// for r, radius or weight, which is that.
 [[nodiscard]] SitesFile read_geojson_sites(InputFile& file, const ReadOptions& options);
 
 /// The number of atoms, a comment, and a line each: element x y z [radius]; a radius that is
@@ -30,16 +30,16 @@ namespace signum {
 /// is read, and the note says so.
 [[nodiscard]] SitesFile read_xyz_sites(InputFile& file);
 
-/// The loop _atom_site of mmCIF, each atom with the radius of its element. Models and alternate places
-/// as of PDB. gemmi reads the file; a build without it refuses the format.
+/// The loop _atom_site of mmCIF, each atom with the radius of its element. Models and alternate
+/// places as of PDB. gemmi reads the file; a build without it refuses the format.
 [[nodiscard]] SitesFile read_cif_sites(InputFile& file, const ReadOptions& options);
 
 /// The last frame of a GRO file, lengths in nanometres: radii of elements, which names of atom and
 /// residue tell, too.
 [[nodiscard]] SitesFile read_gro_sites(InputFile& file, const ReadOptions& options);
 
-/// The last frame of a dump of LAMMPS, in the order of its lines: x y z, xu yu zu, or the same scaled
-/// to the box, which are rounded; radius, else that of the element, else 0.
+/// The last frame of a dump of LAMMPS, in the order of its lines: x y z, xu yu zu, or the same
+/// scaled to the box, which are rounded; radius, else that of the element, else 0.
 [[nodiscard]] SitesFile read_lammpstrj_sites(InputFile& file, const ReadOptions& options);
 
 /// The records ATOM and HETATM of the Protein Data Bank, each with the radius that the options give
@@ -49,16 +49,15 @@ namespace signum {
 /// read, of several models, which ENDMDL, MODEL or END end, the first one; the note says so.
 [[nodiscard]] SitesFile read_pdb_sites(InputFile& file, const ReadOptions& options);
 
-/// The same records, whose last five words, or columns 31 to 70 where words have grown together, are
-/// x y z charge radius; of several models the first
-/// one, and the note says so.
+/// The same records, whose last five words, or columns 31 to 70 where words have grown together,
+/// are x y z charge radius; of several models the first one, and the note says so.
 [[nodiscard]] SitesFile read_pqr_sites(InputFile& file);
 
 /// The vertices of an OFF file: x y z, whatever stands behind them.
 [[nodiscard]] SitesFile read_off_sites(InputFile& file);
 
-/// The vertices of a PLY file, in ASCII or binary: their properties x, y, z and, where there is one, radius or
-/// weight; others, and other elements, are left out.
+/// The vertices of a PLY file, in ASCII or binary: their properties x, y, z and, where there is
+/// one, radius or weight; others, and other elements, are left out.
 [[nodiscard]] SitesFile read_ply_sites(InputFile& file);
 
 /// The .node files of Triangle, whose points lie in the plane, and of TetGen, in space: the number

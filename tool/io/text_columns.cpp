@@ -15,8 +15,7 @@ namespace {
 
 constexpr std::string_view no_comment_here =
     "where commas, semicolons or tabs separate, a comment begins at the start of its line";
-constexpr std::string_view unclosed =
-    "a quotation mark that nothing on this line closes; close it";
+constexpr std::string_view unclosed = "a quotation mark that nothing on this line closes; close it";
 
 bool is_blank(char c) noexcept {
     return c == ' ' || c == '\t';
@@ -159,8 +158,7 @@ char TextColumns::separator_of_line() const {
     for (const char& c : line_) {
         if (c == '"') quoted = !quoted;
         if (quoted) continue;
-        if (c == '#' &&
-            are_numbers(line_.substr(0, static_cast<std::size_t>(&c - line_.data()))))
+        if (c == '#' && are_numbers(line_.substr(0, static_cast<std::size_t>(&c - line_.data()))))
             break;
         if (is_mark(c)) return c;
         has_tab = has_tab || c == '\t';
@@ -218,7 +216,7 @@ double TextColumns::number(std::size_t column) const {
 }
 
 bool TextColumns::is_missing(std::size_t column) const {
-    constexpr std::array<std::string_view, 8> words = {"", "na", "n/a", "nan",
+    constexpr std::array<std::string_view, 8> words = {"",     "na",   "n/a",  "nan",
                                                        "null", "none", "<na>", "nodata"};
     return std::ranges::count(words, name(column)) > 0;
 }

@@ -65,7 +65,8 @@ class TextColumns {
     [[nodiscard]] std::string name(std::size_t column) const;
     /// The nearest double. Fails where the column is empty or holds no finite number.
     [[nodiscard]] double number(std::size_t column) const;
-    /// Whether the column is empty, or says that nothing is known: NA, NaN, null, none, in any case.
+    /// Whether the column is empty, or says that nothing is known: NA, NaN, null, none, in any
+    /// case.
     [[nodiscard]] bool is_missing(std::size_t column) const;
     /// The columns of a header, for a message: 'id', 'lat', 'lon'.
     [[nodiscard]] std::string names() const;

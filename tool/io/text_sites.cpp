@@ -94,16 +94,17 @@ class TextSites {
         const std::size_t sites = result_.sites.size() + result_.in_space.size();
         if (sites == 0) lines_.fail_at_end_of_file("a header and no site");
         if (without_radius_ > 0)
-            add_to_note(fmt::format(
-                "{}: the line ends before its radius, which is 0 then ({} of {} lines)",
-                first_without_radius_, without_radius_, sites));
+            add_to_note(
+                fmt::format("{}: the line ends before its radius, which is 0 then ({} of {} lines)",
+                            first_without_radius_, without_radius_, sites));
         if (missing_ > 0)
             add_to_note(fmt::format("{}: a number is missing; {} of {} lines are passed over",
                                     first_missing_, missing_, missing_ + sites));
         if (result_.third_may_be_z)
-            add_to_note(fmt::format("{}: three numbers a line are x, y and r; --dimension 3 takes "
-                                    "them for x, y and z, --columns 1,2 leaves the third out",
-                                    lines_.file().path()));
+            add_to_note(
+                fmt::format("{}: three numbers a line are x, y and r; --dimension 3 takes "
+                            "them for x, y and z, --columns 1,2 leaves the third out",
+                            lines_.file().path()));
         result_.attributes = std::move(attributes_).attributes();
         return std::move(result_);
     }
@@ -129,8 +130,8 @@ class TextSites {
             columns_of_header_ = lines_.size();
             if (places_[radius_] != no_column)
                 result_.third = meaning_of_column(lines_.name(places_[radius_]));
-            result_.are_degrees = !in_space() && is_of(NameFamily::geographic, 0) &&
-                                  is_of(NameFamily::geographic, 1);
+            result_.are_degrees =
+                !in_space() && is_of(NameFamily::geographic, 0) && is_of(NameFamily::geographic, 1);
         }
         if (!options_.attributes || !has_header) return;
         attributes_ = AttributeColumns(lines_, std::span(places_).first(radius_ + 1));
@@ -166,9 +167,10 @@ class TextSites {
     void read_header_in_space() {
         const std::vector<std::string> others = take_named(quantities_in_space);
         if (std::ranges::count(std::span(places_).first(radius_), no_column) > 0) {
-            lines_.fail_at(0, fmt::format("the header does not name x, y and z, but {}; choose them "
-                                          "with --columns, as in --columns 1,2,3",
-                                          lines_.names()));
+            lines_.fail_at(0,
+                           fmt::format("the header does not name x, y and z, but {}; choose them "
+                                       "with --columns, as in --columns 1,2,3",
+                                       lines_.names()));
         }
         if (others.empty()) return;
         lines_.keep_separator();
@@ -203,11 +205,9 @@ class TextSites {
                                           lines_.names()));
         }
         if (!are_called_so)
-            add_to_note(fmt::format("{}: {} is x and {} is y{}", lines_.place_of_line(), quoted(x),
-                                    quoted(y),
-                                    is_of(NameFamily::geographic, 0)
-                                        ? ", degrees that are taken for a plane's"
-                                        : ""));
+            add_to_note(fmt::format(
+                "{}: {} is x and {} is y{}", lines_.place_of_line(), quoted(x), quoted(y),
+                is_of(NameFamily::geographic, 0) ? ", degrees that are taken for a plane's" : ""));
         leave_others_out();
         if (most_ > 3 || !result_.note.empty()) lines_.keep_separator();
     }
@@ -228,11 +228,11 @@ class TextSites {
         if (count == 0) return false;
         const auto& [of_x, of_y] = *std::ranges::find_if(found, are_two);
         if (count > 1 || of_x.size() > 1 || of_y.size() > 1)
-            lines_.fail_at(of_x.front(),
-                           fmt::format("several columns may be x and y among {}; choose with "
-                                       "--columns, as in --columns {},{}",
-                                       lines_.names(), lines_.text(of_x.front()),
-                                       lines_.text(of_y.front())));
+            lines_.fail_at(
+                of_x.front(),
+                fmt::format("several columns may be x and y among {}; choose with "
+                            "--columns, as in --columns {},{}",
+                            lines_.names(), lines_.text(of_x.front()), lines_.text(of_y.front())));
         places_[0] = of_x.front();
         places_[1] = of_y.front();
         return true;
@@ -250,13 +250,13 @@ class TextSites {
                 free.push_back(column);
         }
         if (most_ > 3 || free.size() < 2 || has_half)
-            lines_.fail_at(
-                0, fmt::format("none of the columns {} is called x or y; choose them with "
-                               "--columns, as in --columns 1,2{}",
-                               lines_.names(),
-                               may_lie_in_space_ && most_ > 3
-                                   ? ", or --columns 1,2,3,4 for x, y, z and r in space"
-                                   : ""));
+            lines_.fail_at(0,
+                           fmt::format("none of the columns {} is called x or y; choose them with "
+                                       "--columns, as in --columns 1,2{}",
+                                       lines_.names(),
+                                       may_lie_in_space_ && most_ > 3
+                                           ? ", or --columns 1,2,3,4 for x, y, z and r in space"
+                                           : ""));
         places_[0] = free[0];
         places_[1] = free[1];
     }
@@ -286,22 +286,21 @@ class TextSites {
         if (names.empty()) return;
         const bool is_z = height != no_column && lines_.name(height) == "z";
         const bool is_one = names.size() == 1;
-        const std::string why =
-            height == no_column ? "no radius, or it would be called r, radius or weight"
-            : is_z              ? std::string("sites lie in the plane here")
-                                : std::string("sites lie in space where it is called z");
+        const std::string why = height == no_column
+                                    ? "no radius, or it would be called r, radius or weight"
+                                : is_z ? std::string("sites lie in the plane here")
+                                       : std::string("sites lie in space where it is called z");
         const std::size_t meant = height == no_column ? first : height;
         const std::string taken =
             third != no_column && is_z ? ""
             : height == no_column      ? option_for({x, y, meant}) + " takes it for one, "
             : is_z                     ? option_for({x, y, meant}) + " takes it for a radius, "
-                                       : "--dimension 3 " + option_for({x, y, meant, third}) +
-                                             " takes it for z, ";
+                   : "--dimension 3 " + option_for({x, y, meant, third}) + " takes it for z, ";
         add_to_note(fmt::format(
             "{}: {} {} {}: {}. {}{} leaves {} out without a word", lines_.place_of_line(),
             fmt::join(names, ", "), is_one ? "is" : "are",
-            options_.attributes ? "carried along" : "left out", why,
-            is_one ? taken : std::string(), option_for({x, y, third}), is_one ? "it" : "them"));
+            options_.attributes ? "carried along" : "left out", why, is_one ? taken : std::string(),
+            option_for({x, y, third}), is_one ? "it" : "them"));
     }
 
     /// Block after block: plain lines at once, and what is not plain in a block line by line.
