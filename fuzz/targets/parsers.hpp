@@ -12,6 +12,10 @@ void read_sites_target(Bytes bytes);
 void read_xyz_target(Bytes bytes);
 void read_pdb_target(Bytes bytes);
 void read_pqr_target(Bytes bytes);
+void read_cif_target(Bytes bytes);
+void read_gro_target(Bytes bytes);
+void read_lammpstrj_target(Bytes bytes);
+void read_off_target(Bytes bytes);
 void read_ply_target(Bytes bytes);
 void read_node_target(Bytes bytes);
 /// NumPy's, and doubles without a head.

@@ -104,10 +104,13 @@ void judge_slices(Bytes bytes, int dimension) {
              "slices have other sites");
     }
     if (!whole || whole->wrong || whole->sites.empty()) return;
-    const SitesFile read =
-        read_sites(file.path(), {.dimension = dimension, .input = SitesInput::text});
-    std::vector<Site3> sites = read.in_space;
-    for (const Site& site : read.sites) sites.push_back({site.x, site.y, 0.0, site.r});
+    // A slice does not know the header, and takes rows that end before its radius.
+    const auto read = result_of(file.path(), [&](const std::string& path) {
+        return read_sites(path, {.dimension = dimension, .input = SitesInput::text});
+    });
+    if (!read) return;
+    std::vector<Site3> sites = read->in_space;
+    for (const Site& site : read->sites) sites.push_back({site.x, site.y, 0.0, site.r});
     must(are_same_numbers(numbers(sites), numbers(whole->sites)),
          "slices have other sites than who reads the whole");
 }
@@ -140,6 +143,18 @@ void read_pdb_target(Bytes bytes) {
 }
 void read_pqr_target(Bytes bytes) {
     read_with(bytes, {.input = SitesInput::pqr});
+}
+void read_cif_target(Bytes bytes) {
+    read_with(bytes, {.input = SitesInput::cif});
+}
+void read_gro_target(Bytes bytes) {
+    read_with(bytes, {.input = SitesInput::gro});
+}
+void read_lammpstrj_target(Bytes bytes) {
+    read_with(bytes, {.input = SitesInput::lammpstrj});
+}
+void read_off_target(Bytes bytes) {
+    read_with(bytes, {.input = SitesInput::off});
 }
 void read_ply_target(Bytes bytes) {
     read_with(bytes, {.input = SitesInput::ply});

@@ -59,14 +59,19 @@ Number parse_number(std::string_view text) noexcept {
     if (hexadecimal && !is_hexadecimal_digit(digits.front()) && digits.front() != '.') return word;
     // libstdc++ 12 reads the exponent of a hexadecimal number as an integer with a sign of its own.
     if (digits.find("+-") != std::string_view::npos) return word;
-    std::array<char, 64> copy;
-    if (!hexadecimal && put_e_for_d(digits, copy)) digits = {copy.data(), digits.size()};
-
+    const auto read = [&](double& into) {
+        return std::from_chars(digits.data(), digits.data() + digits.size(), into,
+                               hexadecimal ? std::chars_format::hex : std::chars_format::general);
+    };
     double value = 0.0;
-    const char* end = digits.data() + digits.size();
-    const auto result =
-        std::from_chars(digits.data(), end, value,
-                        hexadecimal ? std::chars_format::hex : std::chars_format::general);
+    auto result = read(value);
+    std::array<char, 64> copy;
+    if (!hexadecimal && result.ptr != digits.data() + digits.size() &&
+        (*result.ptr == 'd' || *result.ptr == 'D') && put_e_for_d(digits, copy)) {
+        digits = {copy.data(), digits.size()};
+        result = read(value);
+    }
+    const char* const end = digits.data() + digits.size();
     if (result.ptr != end || result.ec == std::errc::invalid_argument) return word;
     if (result.ec == std::errc::result_out_of_range) {
         if (is_large(digits, hexadecimal)) return {0.0, NumberFault::out_of_range};

@@ -55,7 +55,7 @@ constexpr bool are_in_order() {
 }
 static_assert(are_in_order(), "a row an enumerator, in their order, node the last");
 
-const SitesInputKind& kind_of(SitesInput input) noexcept {
+const SitesInputKind& sites_kind_of(SitesInput input) noexcept {
     return kinds[static_cast<std::size_t>(input)];
 }
 
@@ -72,7 +72,7 @@ std::span<const SitesInputKind> sites_input_kinds() noexcept {
     return kinds;
 }
 bool is_of_space(SitesInput input) noexcept {
-    return kind_of(input).is_of_space;
+    return sites_kind_of(input).is_of_space;
 }
 bool is_array(SitesInput input) noexcept {
     return kinds[static_cast<std::size_t>(input)].contents == Contents::bytes;
@@ -84,7 +84,7 @@ SitesInput input_by_ending(std::string_view ending) noexcept {
 }
 
 SitesFile read_sites(const std::string& path, const ReadOptions& options) {
-    const SitesInputKind& kind = kind_of(options.input);
+    const SitesInputKind& kind = sites_kind_of(options.input);
     InputFile file(path, "a file of sites", kind.contents);
     SitesFile result = kind.read(file, options);
     const std::size_t number = result.sites.size() + result.in_space.size();
