@@ -76,16 +76,22 @@ bool is_header(std::string_view line, int dimension) {
     // Names, parted by commas whatever parts them.
     std::string names;
     bool is_parted = false;
+    // Since the last name: between two, before the first and behind the last a column would be empty.
+    int marks = 0;
     for (const char c : line) {
         if (c == '"') continue;
         if (c == ' ' || c == '\t' || c == ',' || c == ';') {
             is_parted = true;
+            marks += c == ',' || c == ';' ? 1 : 0;
             continue;
         }
+        if (marks > (names.empty() ? 0 : 1)) return false;
         if (is_parted && !names.empty()) names += ',';
         is_parted = false;
+        marks = 0;
         names += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
+    if (marks > 0) return false;
     const std::string_view axes = dimension == 3 ? "x,y,z" : "x,y";
     if (!names.starts_with(axes)) return false;
     names.erase(0, axes.size());
