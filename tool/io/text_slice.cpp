@@ -76,7 +76,8 @@ bool is_header(std::string_view line, int dimension) {
     // Names, parted by commas whatever parts them.
     std::string names;
     bool is_parted = false;
-    // Since the last name: between two, before the first and behind the last a column would be empty.
+    // Since the last name: between two, before the first and behind the last a column would be
+    // empty.
     int marks = 0;
     for (const char c : line) {
         if (c == '"') continue;
