@@ -9,6 +9,7 @@
 
 #include "../../core/index.hpp"
 #include "../generate/generate.hpp"
+#include "../io/input_file.hpp"
 #include "../io/names.hpp"
 #include "../io/number.hpp"
 #include "../io/write_sites.hpp"

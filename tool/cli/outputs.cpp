@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "../io/nearest_word.hpp"
+#include "../io/input_file.hpp"
 
 #include "commands.hpp"
 
@@ -107,18 +107,6 @@ void add_outputs(CLI::App& command, OutputsCall& call, std::span<const Format> f
                     "without the point")
         ->transform(one_of(names))
         ->type_name("NAME");
-}
-
-std::string ending_of(const std::string& path) {
-    const std::size_t point = path.rfind('.');
-    if (point == std::string::npos || path.find('/', point) != std::string::npos) return "";
-    return in_small_letters(path.substr(point + 1));
-}
-
-std::string ending_of_input(const std::string& path) {
-    constexpr std::string_view compressed = ".gz";
-    const bool is = in_small_letters(path).ends_with(compressed);
-    return ending_of(is ? path.substr(0, path.size() - compressed.size()) : path);
 }
 
 std::vector<Target> targets_of(const OutputsCall& call, const std::string& input,

@@ -51,11 +51,6 @@ struct Target {
 void add_outputs(CLI::App& command, OutputsCall& call, std::span<const Format> formats,
                  std::string_view without);
 
-/// The ending of a path without its point, in small letters; empty where there is none.
-std::string ending_of(const std::string& path);
-/// The same of a file that is read: of a.pdb.gz that of a.pdb.
-std::string ending_of_input(const std::string& path);
-
 /// Whether both are there, and are the same file.
 [[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
 /// Whether both mean the same place, be something there or not.

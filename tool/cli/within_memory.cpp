@@ -160,8 +160,7 @@ void triangulate_within(const MemoryCall& memory, const SitesCall& call,
     if (call.text.is_given())
         throw CallError(
             "--memory reads the first columns, x, y (z) and r, of lines of numbers; leave "
-            "--columns, "
-            "--decimal, --skip-lines and --skip-missing out");
+            "--columns, --decimal, --skip-lines and --skip-missing out");
     const int dimension = call.dimension.value_or(2);
     const Metric metric = metric_of(call.metric);
     if (dimension == 3 && !traits_of(metric).edges_are_straight)

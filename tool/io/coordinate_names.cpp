@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "text_columns.hpp"
-
 namespace signum {
 namespace {
 
@@ -110,12 +108,10 @@ bool is_name_of_identifier(std::string_view name) {
          "uid",    "pid",   "objectid", "object", "index",  "idx", "row",
          "rownum", "nr",    "no",       "num",    "number", "key", "code",
          "rank",   "count", "unnamed",  "0",      "ogc",    "sn",  "serial"});
-    std::string letters;
-    for (const char c : name)
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
-            letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (std::ranges::count(identifiers, letters) > 0) return true;
     const std::vector<std::string> parts = words_in(name);
+    std::string letters;
+    for (const std::string& part : parts) letters += part;
+    if (std::ranges::count(identifiers, letters) > 0) return true;
     return std::ranges::any_of(parts, [](const std::string& part) {
         return part == "id" || part == "fid" || part == "index" || part == "unnamed";
     });

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "input_file.hpp"
+#include "nearest_word.hpp"
 
 namespace signum {
 namespace {
@@ -54,6 +55,18 @@ Position advance(Position position, std::string_view text) noexcept {
 }
 
 }  // namespace
+
+std::string ending_of(const std::string& path) {
+    const std::size_t point = path.rfind('.');
+    if (point == std::string::npos || path.find('/', point) != std::string::npos) return "";
+    return in_small_letters(path.substr(point + 1));
+}
+
+std::string ending_of_input(const std::string& path) {
+    constexpr std::string_view compressed = ".gz";
+    const bool is = in_small_letters(path).ends_with(compressed);
+    return ending_of(is ? path.substr(0, path.size() - compressed.size()) : path);
+}
 
 /// zlib's state, and the compressed bytes that it has not taken yet.
 struct InputFile::Inflation {

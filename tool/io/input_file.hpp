@@ -34,6 +34,11 @@ enum class Contents : std::uint8_t {
     mixed  ///< lines of text, behind which bytes may follow
 };
 
+/// The ending of a path without its point, in small letters; empty where there is none.
+[[nodiscard]] std::string ending_of(const std::string& path);
+/// The same of a file that is read: of a.pdb.gz that of a.pdb.
+[[nodiscard]] std::string ending_of_input(const std::string& path);
+
 class InputFile {
  public:
     /// The longest line, in bytes.

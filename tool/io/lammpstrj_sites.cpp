@@ -48,7 +48,7 @@ class DumpSites {
         if (result_.in_space.empty()) lines_.fail_at_end("no atom in this file");
         std::vector<std::string> notes;
         if (frames > 1) notes.push_back(fmt::format("of {} frames the last one is read", frames));
-        if (places_[3] == no_word && !element_)
+        if (places_[3] == no_word && element_ == no_word)
             notes.emplace_back("no atom has a radius, and all radii are 0");
         if (is_scaled_) notes.emplace_back("scaled coordinates are placed in the box, and rounded");
         notes.emplace_back("the box is left out, and the atoms are in all of space");
@@ -118,8 +118,7 @@ class DumpSites {
             lines_.fail_at(std::min<std::size_t>(2, lines_.size()),
                            "the atoms have no columns x y z, xu yu zu, xs ys zs or xsu ysu zsu");
         places_[3] = column("radius");
-        element_ = column("element");
-        if (*element_ == no_word || places_[3] != no_word) element_.reset();
+        element_ = places_[3] == no_word ? column("element") : no_word;
         if (places_[3] != no_word) result_.third = WeightIs::radius;
     }
 
@@ -139,7 +138,7 @@ class DumpSites {
                     fmt::format("{} columns, but ITEM: ATOMS names {}", lines_.size(), columns_));
             add_site(result_, lines_, places_);
             Site3& site = result_.in_space.back();
-            if (element_) site.r = radius_of(*element_);
+            if (element_ != no_word) site.r = radius_of(element_);
             if (is_scaled_)
                 site = {low_[0] + site.x * length_[0] + site.y * xy_ + site.z * xz_,
                         low_[1] + site.y * length_[1] + site.z * yz_, low_[2] + site.z * length_[2],
@@ -163,7 +162,7 @@ class DumpSites {
     double yz_ = 0.0;
     std::size_t columns_ = 0;
     std::array<std::size_t, 4> places_ = {};  ///< of x, y, z and radius among them
-    std::optional<std::size_t> element_;      ///< where there is no radius
+    std::size_t element_ = no_word;           ///< where there is no radius
     bool is_scaled_ = false;
     SitesFile result_;
 };

@@ -11,7 +11,6 @@
 
 #include "errors.hpp"
 #include "input_file.hpp"
-#include "nearest_word.hpp"
 #include "number.hpp"
 #include "read_sites.hpp"
 
@@ -326,10 +325,7 @@ bool is_ending_of_faces(std::string_view ending) noexcept {
 
 FacesFile read_faces(const std::string& path) {
     using namespace faces;
-    std::string name = in_small_letters(path);
-    if (name.ends_with(".gz")) name.resize(name.size() - 3);
-    const std::size_t point = name.rfind('.');
-    const std::string ending = point == std::string::npos ? "" : name.substr(point + 1);
+    const std::string ending = ending_of_input(path);
     if (ending == "npy") return read_array(path);
     InputFile file(path, kind);
     if (ending == "json") return read_json(file);

@@ -195,7 +195,7 @@ class TextSites {
     }
 
     void read_header_in_plane() {
-        const std::vector<std::string> others = take_named(quantities_in_plane);
+        take_named(quantities_in_plane);
         auto& [x, y, third, none] = places_;
         const bool are_called_so = x != no_column && y != no_column;
         if (x == no_column && y == no_column && !take_known_names()) take_first_two();
